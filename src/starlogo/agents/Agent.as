@@ -58,7 +58,7 @@ package starlogo.agents
         /** @private The numbers of the names of models. */
         engine static const MODEL_NAMES:NameNumbers = new NameNumbers(new Vector.<String>());
 
-        /** @private The number of agents and terrains created so far, which is also the largest id. Read only. */
+        /** @private The number of agents and terrains created so far, which is also the largest id. */
         engine static var createdCount:int = 0;
 
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
@@ -138,12 +138,6 @@ package starlogo.agents
             modelNumber = MODEL_NAMES.numberOf(shape);
         }
 
-        /** @private Counts a new agent, and returns its id. */
-        engine static function takeId():int
-        {
-            return ++createdCount;
-        }
-
         /** @private Whether an agent may have a size. */
         engine static function isSize(value:Number):Boolean
         {
@@ -153,7 +147,7 @@ package starlogo.agents
         /** @private The id of a new agent. */
         engine function newId():int
         {
-            return takeId();
+            return ++createdCount;
         }
 
         /** @private Whether it stands for the ground or the edges of the world. */

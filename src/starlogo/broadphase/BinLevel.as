@@ -25,9 +25,6 @@ package starlogo.broadphase
         /** In place of a level: its slack is infinite, so no extents are too far apart. */
         public static const ANY_GAP:BinLevel = new BinLevel(Infinity);
 
-        // The mask of a level without buckets.
-        private static const NO_BUCKETS:int = 0;
-
         // A level with buckets has 32 at least. So cells near each other never share one.
         private static const MIN_BITS:int = 5;
 
@@ -54,9 +51,8 @@ package starlogo.broadphase
         // The index of the level's first bucket.
         internal var firstBucket:int;
 
-        // The bucket of a cell is its line times stride plus its column, counted from the first bucket. Only the bits in the mask count, which
-        // is NO_BUCKETS if the level had no members in the last search.
-        internal var mask:int = NO_BUCKETS;
+        // The bucket of a cell is its line times stride plus its column, counted from the first bucket. Only the bits in the mask count.
+        internal var mask:int;
         internal var stride:int;
 
         /** @param width a power of two */
@@ -75,9 +71,8 @@ package starlogo.broadphase
          */
         public function layOutBuckets(first:int):int
         {
-            if (count == 0)
+            if (!hasBuckets)
             {
-                mask = NO_BUCKETS;
                 return first;
             }
             var bits:int = MIN_BITS;
@@ -99,10 +94,10 @@ package starlogo.broadphase
             return firstBucket + mask + 1;
         }
 
-        /** Whether the level has got buckets in the last search. */
+        /** Whether the level has got buckets in the last search: it had members. */
         public function get hasBuckets():Boolean
         {
-            return mask != NO_BUCKETS;
+            return count > 0;
         }
 
         /** The column of cells at an x, or the line of cells at a y. */

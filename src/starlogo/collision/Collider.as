@@ -36,16 +36,16 @@ package starlogo.collision
      */
     public class Collider extends BaseCollider
     {
-        // Steps of a frame. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers run, contacts stay
-        // those of the frame.
+        // What a Collision does with a collider. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers
+        // run, contacts stay those of the frame.
 
-        /** @private No frame is under way. */
-        engine static const IDLE:int = 0;
+        /** @private It does not use the collider. */
+        engine static const UNUSED:int = 0;
 
-        /** @private A frame asks its filter. */
-        engine static const FILTERING:int = 1;
+        /** @private It uses the collider, but does not search with it and runs no handlers. */
+        engine static const IDLE:int = 1;
 
-        /** @private A frame searches for its pairs. */
+        /** @private It searches for the pairs of a frame. */
         engine static const SEARCHING:int = 2;
 
         /** @private The handlers of a frame run. */
@@ -132,7 +132,7 @@ package starlogo.collision
             requireGiven("agents", agents);
             var inSearch:CollisionSearch = search;
             var step:int = stepOfOwner;
-            if (isOwned && step != SEARCHING)
+            if (step != UNUSED && step != SEARCHING)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
                 // searches it is no call of the game's: a BaseCollider around this collider makes it
@@ -199,7 +199,7 @@ package starlogo.collision
          */
         engine function attachTo(owner:Collision):void
         {
-            if (!isOwned)
+            if (stepOfOwner == UNUSED)
             {
                 forgetMotions();
             }
@@ -225,16 +225,10 @@ package starlogo.collision
             return pairs;
         }
 
-        // Whether a Collision uses the collider.
-        private function get isOwned():Boolean
-        {
-            return _owner != null && _owner.uses(this);
-        }
-
-        // The step of the owner's frame, if this collider finds its pairs.
+        // What the last owner does with the collider. It is the owner unless that is UNUSED.
         private function get stepOfOwner():int
         {
-            return _owner == null || _owner.systemOfFrame.innerCollider !== this ? IDLE : _owner.frameStep;
+            return _owner == null ? UNUSED : _owner.stepWith(this);
         }
 
         private function find(inSearch:CollisionSearch, input:SearchInput):FoundPairs

@@ -87,9 +87,6 @@ package starlogo.collision
          */
         public var filter:AgentPredicate = null;
 
-        /** @private The step of the frame: Collider.IDLE, FILTERING, SEARCHING or HANDLING. Read only. */
-        engine var frameStep:int = Collider.IDLE;
-
         /** @private What the frame searches among. Read only. */
         engine var frameInput:SearchInput = new SearchInput();
 
@@ -99,8 +96,9 @@ package starlogo.collision
         // The same as a BaseCollider.
         private var _system:BaseCollider;
 
-        // The one of the frame under way, or null.
+        // The one of the frame under way, or null; and what the frame does with it: Collider.IDLE, SEARCHING or HANDLING.
         private var _frameSystem:BaseCollider = null;
+        private var _frameStep:int = Collider.IDLE;
 
         // The heights that handlers see, even if they change the ground; null if none run, or without ground. The edges never change.
         private var _heldGround:HeightGrid = null;
@@ -148,10 +146,14 @@ package starlogo.collision
             _system = next;
         }
 
-        /** @private Whether a collider is in the collision system, or in the one of the frame under way. */
-        engine function uses(collider:Collider):Boolean
+        /** @private What it does with a collider: Collider.UNUSED, IDLE, SEARCHING or HANDLING. */
+        engine function stepWith(collider:Collider):int
         {
-            return collider === _system.innerCollider || collider === systemOfFrame.innerCollider;
+            if (collider === systemOfFrame.innerCollider)
+            {
+                return _frameStep;
+            }
+            return collider === _system.innerCollider ? Collider.IDLE : Collider.UNUSED;
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -295,7 +297,6 @@ package starlogo.collision
             var start:Number = getTimer();
             _handlerErrors.length = 0;
             var system:BaseCollider = _frameSystem = _system;
-            frameStep = Collider.FILTERING;
             try
             {
                 runFrame(agents, system);
@@ -303,7 +304,7 @@ package starlogo.collision
             finally
             {
                 _dispatcher.endFrame();
-                frameStep = Collider.IDLE;
+                _frameStep = Collider.IDLE;
                 _frameSystem = null;
                 if (_heldGround != null)
                 {
@@ -386,9 +387,9 @@ package starlogo.collision
             // after the filter, which may have called reset(). A handler may call it too, and then the frame goes on with the one before
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.search = null;
-            frameStep = Collider.SEARCHING;
+            _frameStep = Collider.SEARCHING;
             var pairs:FoundPairs = system.findPairs(frameInput, _pairReader, _statistics);
-            frameStep = Collider.HANDLING;
+            _frameStep = Collider.HANDLING;
             lastFrame.agents = copyAgents(frameInput.agents, lastFrame.agents);
             if (frameInput.ground != null)
             {
@@ -402,7 +403,7 @@ package starlogo.collision
 
         private function requireIdle(what:String):void
         {
-            if (frameStep != Collider.IDLE)
+            if (_frameSystem != null)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }

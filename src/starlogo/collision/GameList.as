@@ -9,23 +9,18 @@ package starlogo.collision
     {
         private var _agents:Vector.<Agent> = null;
 
-        // By row: the last known index, or -1 once the agent was missing. These are the indices of the frame's search until an agent is found elsewhere,
-        // and from then on a copy.
-        private var _indices:Vector.<int> = null;
-        private var _copy:Vector.<int> = new Vector.<int>();
+        // By row: the last known index, or -1 once the agent was missing.
+        private var _indices:Vector.<int> = new Vector.<int>();
 
         /** Begins a frame with its list. @param listed the agents as the frame has found them in the list */
         public function begin(agents:Vector.<Agent>, listed:ListedAgents):void
         {
             _agents = agents;
-            _indices = listed.listIndices;
-        }
-
-        /** Ends a frame. */
-        public function end():void
-        {
-            _agents = null;
-            _indices = null;
+            var indices:Vector.<int> = listed.listIndices;
+            for (var row:int = 0; row < indices.length; row++)
+            {
+                _indices[row] = indices[row];
+            }
         }
 
         /** Whether both agents of a pair are in the list. The ground and the edges of the world always are; they come second in a pair. */
@@ -49,22 +44,9 @@ package starlogo.collision
                 {
                     index = _agents.indexOf(agent);
                 }
-                if (_indices !== _copy)
-                {
-                    copyIndices();
-                }
                 _indices[row] = index;
             }
             return index;
-        }
-
-        private function copyIndices():void
-        {
-            for (var row:int = 0; row < _indices.length; row++)
-            {
-                _copy[row] = _indices[row];
-            }
-            _indices = _copy;
         }
     }
 }

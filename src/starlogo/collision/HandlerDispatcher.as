@@ -23,11 +23,9 @@ package starlogo.collision
         private var _contacts:FrameContacts = new FrameContacts();
         private var _gameList:GameList = new GameList();
 
-        // The pairs of the frame, and the system that has found them; null between frames.
+        // Of the last frame: its pairs, the system that has found them, and what knows the touches. Null before the first frame.
         private var _pairs:FoundPairs = null;
         private var _system:BaseCollider = null;
-
-        // Knows the touches; null between frames.
         private var _tracker:TouchTracker = null;
 
         // The handlers of the present pair or ended touch; null before its calls begin.
@@ -77,16 +75,12 @@ package starlogo.collision
             return _callCount;
         }
 
-        /** Ends the calls of a frame, also if <code>callHandlers()</code> has thrown an error or was not called. Nothing of the frame is kept. */
+        /** Ends the calls of a frame, also if <code>callHandlers()</code> has thrown an error or was not called. */
         public function endFrame():void
         {
-            _pairs = null;
-            _system = null;
-            _gameList.end();
             if (_tracker != null)
             {
                 _tracker.endFrame();
-                _tracker = null;
             }
         }
 

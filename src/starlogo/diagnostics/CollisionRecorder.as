@@ -29,7 +29,7 @@ package starlogo.diagnostics
      * </listing>
      *
      * <p>A frame is a frame of a Collision, or a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers are counted only in
-     * findCollisions. The cost is proportional to the number of collisions: some ten-thousandths of a millisecond for each.</p>
+     * findCollisions. The cost is proportional to the number of collisions, some ten-thousandths of a millisecond for each, and of pairs of breeds.</p>
      */
     public final class CollisionRecorder extends BaseCollider
     {
@@ -40,9 +40,6 @@ package starlogo.diagnostics
         // A tally for each pair of breeds, and its index by their numbers, the lesser first.
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
         private var _indices:IntPairMap = new IntPairMap();
-
-        // The tallies of pairs that collide in the present frame.
-        private var _found:Vector.<Tally> = new Vector.<Tally>();
 
         private var _findTimes:FrameTimes = new FrameTimes();
         private var _frameTimes:FrameTimes = new FrameTimes();
@@ -185,10 +182,7 @@ package starlogo.diagnostics
                 index = _pairs.push(new Tally([a.breed, b.breed])) - 1;
                 _indices.set (lesser, greater, index);
             }
-            if (_pairs[index].inFrame++ == 0)
-            {
-                _found.push(_pairs[index]);
-            }
+            _pairs[index].inFrame++;
         }
 
         private function endFrame(collisions:int):void
@@ -196,11 +190,10 @@ package starlogo.diagnostics
             _frames++;
             _all.inFrame = collisions;
             _all.endFrame();
-            for each (var pair:Tally in _found)
+            for each (var pair:Tally in _pairs)
             {
                 pair.endFrame();
             }
-            _found.length = 0;
         }
     }
 }

@@ -16,13 +16,6 @@ package starlogo.ground
         // Bounds of the heights around the deepest point.
         private var _heightsAround:HeightBounds = new HeightBounds();
 
-        /** Whether the deepest point is below the surface. */
-        public function isInside(grid:HeightGrid, contact:ContactPoint):Boolean
-        {
-            contact.writeDeepestPoint(_deepest);
-            return grid.heightAt(_deepest.x, _deepest.y) > _deepest.z;
-        }
-
         /**
          * A lower bound for the lengths of the exits of the deepest point; 0 if none is known. Exits that are longer than <code>maxLength</code> do not
          * count.

@@ -29,17 +29,10 @@ package starlogo.handlers
 
         private static const NONE:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
-        // What the game has added: a list for each two breeds.
+        // What the game has added for two breeds, and what the frame calls for them, for breeds that have handlers or have met; and the index by the
+        // numbers of the two.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
-
-        // By the numbers of the collider's breed and of the collidee's: the index of their list.
-        private var _listIndices:IntPairMap = new IntPairMap();
-
-        // What the frame calls for breeds that have met.
-        private var _pairs:Vector.<PairHandlers> = new Vector.<PairHandlers>();
-
-        // By the numbers of the first agent's breed and of the second's: the index of what the frame calls for them.
-        private var _pairIndices:IntPairMap = new IntPairMap();
+        private var _indices:IntPairMap = new IntPairMap();
 
         // Counts the changes of the handlers.
         private var _revision:int = 0;
@@ -61,7 +54,7 @@ package starlogo.handlers
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
             }
-            addToList(handler);
+            listFor(handler.colliderBreed, handler.collideeBreed).add(handler);
             _revision++;
         }
 
@@ -69,7 +62,7 @@ package starlogo.handlers
         public function remove(breed:String, otherBreed:String, callback:Function, phases:int):Boolean
         {
             requireArguments(breed, otherBreed, callback);
-            var list:HandlerList = listFor(Breeds.NAMES.knownNumberOf(breed), Breeds.NAMES.knownNumberOf(otherBreed));
+            var list:HandlerList = findList(Breeds.NAMES.knownNumberOf(breed), Breeds.NAMES.knownNumberOf(otherBreed));
             var isRemoved:Boolean = list != null && list.remove(callback, phases);
             _revision += isRemoved ? 1 : 0;
             return isRemoved;
@@ -103,14 +96,13 @@ package starlogo.handlers
             {
                 list.appendTo(handlers, _revision);
             }
-            _lists.length = _pairs.length = 0;
-            _listIndices.clear();
-            _pairIndices.clear();
+            _lists.length = 0;
+            _indices.clear();
             interests = new BreedInterests();
             var newNames:Vector.<String> = new Vector.<String>();
             for each (var handler:CollisionHandler in handlers)
             {
-                addToList(handler);
+                listFor(handler.colliderBreed, handler.collideeBreed).add(handler);
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
                 if (handler.addedAt >= _frameRevision)
                 {
@@ -130,13 +122,12 @@ package starlogo.handlers
          */
         public function handlersOf(firstBreed:int, secondBreed:int):PairHandlers
         {
-            var index:int = _pairIndices.find(firstBreed, secondBreed);
-            if (index < 0)
+            var list:HandlerList = listFor(firstBreed, secondBreed);
+            if (list.ofFrame == null)
             {
-                index = _pairs.push(new PairHandlers(collect(firstBreed, secondBreed), collect(secondBreed, firstBreed))) - 1;
-                _pairIndices.set (firstBreed, secondBreed, index);
+                list.ofFrame = new PairHandlers(collect(firstBreed, secondBreed), collect(secondBreed, firstBreed));
             }
-            return _pairs[index];
+            return list.ofFrame;
         }
 
         /** Returns the handlers of the breeds that the agents of a found pair have now. */
@@ -160,17 +151,6 @@ package starlogo.handlers
             return missing;
         }
 
-        private function addToList(handler:CollisionHandler):void
-        {
-            var list:HandlerList = listFor(handler.colliderBreed, handler.collideeBreed);
-            if (list == null)
-            {
-                list = new HandlerList();
-                _listIndices.set (handler.colliderBreed, handler.collideeBreed, _lists.push(list) - 1);
-            }
-            list.add(handler);
-        }
-
         // The handlers that the frame calls for a collider and a collidee of two breeds, also those for any breed.
         private function collect(colliderBreed:int, collideeBreed:int):Vector.<CollisionHandler>
         {
@@ -179,7 +159,7 @@ package starlogo.handlers
             {
                 for each (var collidee:int in withAny(collideeBreed))
                 {
-                    var list:HandlerList = listFor(collider, collidee);
+                    var list:HandlerList = findList(collider, collidee);
                     if (list != null)
                     {
                         list.appendTo(found, _frameRevision);
@@ -195,10 +175,22 @@ package starlogo.handlers
             return Breeds.isEnvironment(breed) ? [breed] : [breed, Breeds.ANY_NUMBER];
         }
 
-        // The list for just two breeds, by their numbers; null if there is none.
+        // The list for just two breeds, by their numbers; a new one if there is none.
         private function listFor(colliderBreed:int, collideeBreed:int):HandlerList
         {
-            var index:int = _listIndices.find(colliderBreed, collideeBreed);
+            var list:HandlerList = findList(colliderBreed, collideeBreed);
+            if (list == null)
+            {
+                list = new HandlerList();
+                _indices.set (colliderBreed, collideeBreed, _lists.push(list) - 1);
+            }
+            return list;
+        }
+
+        // The list for just two breeds; null if there is none.
+        private function findList(colliderBreed:int, collideeBreed:int):HandlerList
+        {
+            var index:int = _indices.find(colliderBreed, collideeBreed);
             return index < 0 ? null : _lists[index];
         }
 

@@ -97,34 +97,35 @@ package starlogo.search
         }
 
         /**
-         * Finds the contact of two rows that touch, which separates them: on their motions if one of the two sweeps, or else where they are.
+         * Finds the contact of two rows that touch on their motions, which separates them.
          *
          * @param b may be the ground or the edges of the world
          * @param motion receives the motion of the first relative to the second, with the time
          * @param out receives the contact at that time
+         * @return whether they do: one of the two sweeps, and they touch
          */
-        public function findContact(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        public function findContactOnMotions(a:int, b:int, motion:RelativeMotion, out:ContactPoint):Boolean
         {
+            if (!_motions.anySweeps || !_motions.eitherSweeps(a, b))
+            {
+                return false;
+            }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
             var tests:PairTests = _narrowPhase.pairTestsFor(bodyA, bodyB);
             _motions.setRelativeMotion(a, b, motion);
-            if (_motions.eitherSweeps(a, b))
+            if (!motion.isStill)
             {
-                if (!motion.isStill)
-                {
-                    tests.findFirstTouch(bodyA, bodyB, motion, out);
-                }
-                else if (tests.areTouching(bodyA, bodyB))
-                {
-                    motion.time = timeOfCommonMotion(a);
-                    tests.findContactOfParts(bodyA, bodyB, motion, out);
-                }
+                tests.findFirstTouch(bodyA, bodyB, motion, out);
+            }
+            else if (tests.areTouching(bodyA, bodyB))
+            {
+                motion.time = timeOfCommonMotion(a);
+                tests.findContactOfParts(bodyA, bodyB, motion, out);
             }
             if (motion.time == RelativeMotion.NEVER)
             {
-                tests.findContact(bodyA, bodyB, motion, out);
-                return;
+                return false;
             }
             tests.separate(bodyA, bodyB, motion, out);
             // the motion was relative to b at its present place, so the point is moved back to where b was at that time
@@ -132,6 +133,7 @@ package starlogo.search
             out.x += back * _motions.displacements.x[b];
             out.y += back * _motions.displacements.y[b];
             out.z += back * _motions.displacements.z[b];
+            return true;
         }
 
         // Adds the pairs of a row with those candidates that touch it.

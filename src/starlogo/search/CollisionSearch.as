@@ -103,20 +103,20 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            if (!(rememberConditions(input) && areFew(changeCount)))
-            {
-                findOfAll(input);
-                return _pairs;
-            }
-            if (couldUpdatePairs && tryMoveChanged(input))
+            var isLikeLast:Boolean = rememberConditions(input) && areFew(changeCount);
+            if (isLikeLast && couldUpdatePairs && tryMoveChanged(input))
             {
                 findOfChanged(input);
             }
             else
             {
-                _changedRows.begin(findOfAll(input));
+                var members:IntList = findOfAll(input);
+                if (isLikeLast)
+                {
+                    _changedRows.begin(members);
+                }
             }
-            _canUpdatePairs = true;
+            _canUpdatePairs = isLikeLast;
             return _pairs;
         }
 
@@ -166,9 +166,8 @@ package starlogo.search
             {
                 table.followPose(rowA);
                 table.followPose(rowB);
-                if (_motions.anySweeps)
+                if (_candidateTests.findContactOnMotions(rowA, rowB, motion, out))
                 {
-                    _candidateTests.findContact(rowA, rowB, motion, out);
                     return;
                 }
             }
@@ -233,7 +232,6 @@ package starlogo.search
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members, input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members, input);
             _pairOrder.putInOrder(_pairs, _candidateTests.times);
-            _pairs.forgetTouches();
             narrowPhase.counts.members = members.count;
             return members;
         }

@@ -21,8 +21,8 @@ package starlogo.search
          */
         public var surface:ModelShape = null;
 
-        // The number of agents without a counted id: those of edges.
-        private static var sUncounted:int = 0;
+        // The last id that was not counted.
+        private static var sUncountedId:int = 0;
 
         /** @param breed Breeds.TERRAIN or Breeds.EDGE */
         public function EnvironmentAgent(breed:String)
@@ -49,8 +49,7 @@ package starlogo.search
         /** @private An id that is not counted: the edges'. A Terrain gives its agent a counted one. */
         override engine function newId():int
         {
-            sUncounted++;
-            return -sUncounted;
+            return --sUncountedId;
         }
 
         /** Returns the heights of the ground for a change. If a frame holds the present heights, a copy takes their place. */

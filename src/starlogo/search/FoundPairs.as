@@ -34,10 +34,8 @@ package starlogo.search
         /** By pair: the index of its touch, which the TouchTracker writes, or NO_TOUCH. Pairs that are kept for the next search keep it. */
         public var touchIndices:Vector.<int> = new Vector.<int>();
 
-        /** The back buffer of <code>rows</code>: other pairs, or the pairs in another order, are written here before <code>swapBuffers()</code>. */
-        internal var backRows:Vector.<int> = new Vector.<int>();
-
-        // The back buffer of touchIndices.
+        // The back buffers of rows and touchIndices: other pairs, or the pairs in another order, are written here before swapBuffers().
+        private var _backRows:Vector.<int> = new Vector.<int>();
         private var _backTouchIndices:Vector.<int> = new Vector.<int>();
 
         /** @param listed has the agent of each row */
@@ -92,11 +90,22 @@ package starlogo.search
             count = kept + added;
         }
 
+        /** Puts pairs that were all found anew into another order. They have no touches then. @param order by the new index: the present one */
+        internal function reorder(order:Vector.<int>):void
+        {
+            makeRoom(count);
+            for (var i:int = 0; i < count; i++)
+            {
+                write(i, rows[int(2 * order[i])], rows[int(2 * order[i] + 1)], NO_TOUCH);
+            }
+            swapBuffers();
+        }
+
         // Writes a pair of two rows to the back buffers.
         private function write(to:int, a:int, b:int, touchIndex:int):void
         {
-            backRows[int(2 * to)] = a;
-            backRows[int(2 * to + 1)] = b;
+            _backRows[int(2 * to)] = a;
+            _backRows[int(2 * to + 1)] = b;
             _backTouchIndices[to] = touchIndex;
         }
 
@@ -108,13 +117,13 @@ package starlogo.search
             return index < listIndices[a] || index == listIndices[a] && listIndices[rows[int(2 * pair + 1)]] < listIndices[b];
         }
 
-        /** Makes room for a number of pairs in the back buffers. */
-        internal function makeRoom(pairCount:int):void
+        // Makes room for a number of pairs in the back buffers.
+        private function makeRoom(pairCount:int):void
         {
             // they grow by an eighth, because a vector that grows a little in each frame is copied each time
-            if (backRows.length < 2 * pairCount)
+            if (_backRows.length < 2 * pairCount)
             {
-                backRows.length = 2 * (pairCount + (pairCount >> 3));
+                _backRows.length = 2 * (pairCount + (pairCount >> 3));
             }
             if (_backTouchIndices.length < pairCount)
             {
@@ -122,20 +131,21 @@ package starlogo.search
             }
         }
 
-        /** Swaps the lists of the pairs and their back buffers. */
-        internal function swapBuffers():void
+        // Swaps the lists of the pairs and their back buffers.
+        private function swapBuffers():void
         {
             var rowsBefore:Vector.<int> = rows;
-            rows = backRows;
-            backRows = rowsBefore;
+            rows = _backRows;
+            _backRows = rowsBefore;
             var touchesBefore:Vector.<int> = touchIndices;
             touchIndices = _backTouchIndices;
             _backTouchIndices = touchesBefore;
         }
 
-        /** Adds a pair of two rows. */
+        /** Adds a pair of two rows without a touch. */
         internal function add(a:int, b:int):void
         {
+            touchIndices[count] = NO_TOUCH;
             rows[2 * count] = a;
             rows[2 * count + 1] = b;
             count++;

@@ -75,27 +75,20 @@ package starlogo.search
          */
         public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
         {
-            if (a.comesAfter(b))
-            {
-                findClosest(b, a, withPoints, out);
-                out.swap();
-                return;
-            }
-            var tests:PairTests = pairTestsFor(a, b);
-            var areTouching:Boolean = tests.areTouching(a, b);
-            if (areTouching && !withPoints)
+            var isTouching:Boolean = areTouching(a, b);
+            if (isTouching && !withPoints)
             {
                 out.distance = 0;
                 return;
             }
-            tests.findClosest(a, b, areTouching, out);
+            pairTestsFor(a, b).findClosestInAnyOrder(a, b, isTouching, out);
         }
 
         /**
          * The tests for two bodies, by their kinds.
          *
-         * @param a a body of an agent or a structure
-         * @param b any body
+         * @param a any body
+         * @param b any body; not both are of the environment
          * @return the tests. They are null if nothing has added them: see sphereTests, structureTests and treeTests
          */
         public function pairTestsFor(a:Body, b:Body):PairTests
@@ -103,7 +96,7 @@ package starlogo.search
             var last:int = a.kind > b.kind ? a.kind : b.kind;
             if (last >= ModelShape.GROUND)
             {
-                return environmentTestsOf(b);
+                return environmentTestsOf(a.kind > b.kind ? a : b);
             }
             if (last == ModelShape.TREE)
             {

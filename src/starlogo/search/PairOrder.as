@@ -33,14 +33,7 @@ package starlogo.search
             scatter(pairs, 1, order, _other);
             scatter(pairs, 0, _other, order);
             var earlyCount:int = times == null ? 0 : sortByTimes(pairs.count, times);
-            pairs.makeRoom(pairs.count);
-            for (i = 0; i < pairs.count; i++)
-            {
-                var pair:int = order[i];
-                pairs.backRows[int(2 * i)] = pairs.rows[int(2 * pair)];
-                pairs.backRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
-            }
-            pairs.swapBuffers();
+            pairs.reorder(order);
             return earlyCount;
         }
 

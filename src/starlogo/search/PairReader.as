@@ -62,7 +62,6 @@ package starlogo.search
                 }
                 _pairs.add(a, b);
             }
-            _pairs.forgetTouches();
             return _pairs;
         }
 

@@ -31,7 +31,6 @@ package starlogo.ground
                 var reach:Number = _random.logBetween(0.01, 3);
                 var least:Number = boundAt(grid, x, y, z, reach);
                 _wrong.addIf(!(least >= 0), "negative", i + ": " + least);
-                _wrong.addIf(!_exits.isInside(grid, _contact), "outside", String(i));
                 known += least > 0 ? 1 : 0;
                 for (var k:int = 0; k < 20 && least > 0; k++)
                 {

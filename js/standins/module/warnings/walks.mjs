@@ -80,10 +80,11 @@ export function $warnOfWalk(seen, walker, footing) {
 	$countStop(handlers, "ends on", agent, end.on);
 }
 
-function $countStop({ interests, _pairIndices: met }, does, agent, other) {
+function $countStop({ interests, _lists, _indices }, does, agent, other) {
 	if (!agent || !other) return; // the walk was refused, or went on
 	const [breed, otherBreed] = [agent.$breedNumber, other.$breedNumber];
-	if (!interests.$hasPair(breed, otherBreed) || met.find(breed, otherBreed) >= 0 || met.find(otherBreed, breed) >= 0) return;
+	const haveMet = (first, second) => _lists[_indices.find(first, second)]?.ofFrame;
+	if (!interests.$hasPair(breed, otherBreed) || haveMet(breed, otherBreed) || haveMet(otherBreed, breed)) return;
 	const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
 	const stops = ($stops.get(name + otherName) ?? 0) + 1;
 	$stops.set(name + otherName, stops);

@@ -19,9 +19,6 @@ package starlogo.collision.snapshots
         /** The number of bytes for each agent. */
         public static const SIZE:int = 1 + 3 * 8;
 
-        private var _places:Vector.<Number> = new Vector.<Number>();
-        private var _haveMotions:Vector.<Boolean> = new Vector.<Boolean>();
-
         /**
          * Writes the places.
          *
@@ -42,10 +39,14 @@ package starlogo.collision.snapshots
             }
         }
 
-        /** Reads the places of this number of agents. Returns null if the bytes are none. @throws EOFError if they are cut off */
-        public static function read(bytes:ByteArray, count:int):SnapshotPlaces
+        /**
+         * Reads the places of this number of agents: four numbers for each, x, y, z, and 1 for a motion or 0. Returns null if the bytes are none.
+         *
+         * @throws EOFError if they are cut off
+         */
+        public static function read(bytes:ByteArray, count:int):Vector.<Number>
         {
-            var found:SnapshotPlaces = new SnapshotPlaces();
+            var places:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < count; i++)
             {
                 var flag:int = bytes.readUnsignedByte();
@@ -56,24 +57,23 @@ package starlogo.collision.snapshots
                 {
                     return null;
                 }
-                found._haveMotions.push(flag == 1);
-                found._places.push(x, y, z);
+                places.push(x, y, z, flag);
             }
-            return found;
+            return places;
         }
 
         /**
          * Puts a list of agents into a table as if the last search had seen them at these places.
          *
-         * @param list as many agents
+         * @param places what <code>read()</code> has returned for as many agents
          * @throws ArgumentError as <code>AgentTable.read()</code> does
          */
-        public function restore(list:Vector.<Agent>, table:AgentTable):void
+        public static function restore(places:Vector.<Number>, list:Vector.<Agent>, table:AgentTable):void
         {
             table.read(list);
             for (var i:int = 0; i < list.length; i++)
             {
-                table.writeLastPlace(table.listed.rows.values[i], _places[3 * i], _places[3 * i + 1], _places[3 * i + 2], _haveMotions[i]);
+                table.writeLastPlace(table.listed.rows.values[i], places[4 * i], places[4 * i + 1], places[4 * i + 2], places[4 * i + 3] == 1);
             }
         }
     }

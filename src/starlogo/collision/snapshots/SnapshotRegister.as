@@ -34,7 +34,6 @@ package starlogo.collision.snapshots
         {
             var entry:SnapshotEntry = new SnapshotEntry();
             entry.hash = hashOf(bytes);
-            entry.length = bytes.length;
             entry.createdCount = Agent.createdCount;
             entry.formerEnvironment = formerEnvironment;
             for (var i:int = 0; i < agents.length; i++)
@@ -61,7 +60,7 @@ package starlogo.collision.snapshots
             for (var i:int = _entries.length - 1; i >= 0; i--)
             {
                 var entry:SnapshotEntry = _entries[i];
-                if (entry.hash == hash && entry.length == bytes.length && entry.ids.length == count)
+                if (entry.hash == hash && entry.ids.length == count)
                 {
                     known = entry;
                     if (count == agents.length && firstOther(entry, agents) < 0)
@@ -139,9 +138,6 @@ final class SnapshotEntry
 {
     /** The hash of the bytes. */
     public var hash:int;
-
-    /** The number of bytes. */
-    public var length:uint;
 
     /** How many agents had been created. */
     public var createdCount:int;

@@ -132,7 +132,7 @@ package starlogo.collision.snapshots
                 requireIntact(count <= copy.bytesAvailable / SnapshotPlaces.SIZE);
                 var formerEnvironment:Vector.<Agent> = _register.recallFormerEnvironment(copy, count, agents) || _unknownEnvironment;
                 names.read(copy);
-                var places:SnapshotPlaces = SnapshotPlaces.read(copy, count);
+                var places:Vector.<Number> = SnapshotPlaces.read(copy, count);
                 requireIntact(places != null);
                 var touches:TouchTracker = readTouches(copy, agents, new <Agent>[ground, edges].concat(formerEnvironment), names);
                 var links:Vector.<PlatformLink> = SnapshotPlatforms.read(copy, agents);
@@ -158,7 +158,7 @@ package starlogo.collision.snapshots
 
         // Puts the agents back: their traits, which the bytes have next if there are names for them, and their places in the last frame. If that fails,
         // the agents have the traits that they had before.
-        private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, places:SnapshotPlaces, names:SnapshotNames):void
+        private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, places:Vector.<Number>, names:SnapshotNames):void
         {
             var namesBefore:SnapshotNames = new SnapshotNames();
             var before:ByteArray = newBytes();
@@ -169,7 +169,7 @@ package starlogo.collision.snapshots
                     SnapshotTraits.write(before, agents, namesBefore);
                     readTraits(bytes, agents, names);
                 }
-                places.restore(agents, search.table);
+                SnapshotPlaces.restore(places, agents, search.table);
                 search.invalidatePairs();
             }
             catch (error:Error)

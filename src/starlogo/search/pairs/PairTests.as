@@ -100,12 +100,7 @@ package starlogo.search.pairs
         // nearest, the point and the normal stay as they are.
         private function findContactApart(a:Body, b:Body, out:ContactPoint):void
         {
-            var isReversed:Boolean = a.comesAfter(b);
-            findClosest(isReversed ? b : a, isReversed ? a : b, false, _closest);
-            if (isReversed)
-            {
-                _closest.swap();
-            }
+            findClosestInAnyOrder(a, b, false, _closest);
             if (areStructures(a, b) && _closest.distance <= toleranceOf(a, b, HIDDEN_DIRECTION))
             {
                 out.depth = 0;
@@ -186,6 +181,18 @@ package starlogo.search.pairs
         public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             throw new IllegalOperationError(this + " does not implement findClosest");
+        }
+
+        /** Does what findClosest() does, for two bodies in any order. */
+        public function findClosestInAnyOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            if (a.comesAfter(b))
+            {
+                findClosest(b, a, areTouching, out);
+                out.swap();
+                return;
+            }
+            findClosest(a, b, areTouching, out);
         }
 
         /**

@@ -80,41 +80,57 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var isReversed:Boolean = a.comesAfter(b);
-            var own:RelativeMotion = motionOfFirst(motion, isReversed);
+            if (a.comesAfter(b))
+            {
+                _reversed.setReversed(motion);
+                findFirstTouch(b, a, _reversed, out);
+                finishReversed(motion, out);
+                return;
+            }
             _counts.pairTests++;
-            queryInOrder(a, b, isReversed).findFirstTouch(own, out);
-            finish(own, motion, out);
+            queryOf(a, b).findFirstTouch(motion, out);
         }
 
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             // Two trees stay in this order. CollisionSearch.findContact puts two agents into the order of the list before, so a contact is the same in either order.
-            var isReversed:Boolean = a.kind != ModelShape.TREE;
-            var own:RelativeMotion = motionOfFirst(motion, isReversed);
-            queryInOrder(a, b, isReversed).findContact(own, out);
-            finish(own, motion, out);
+            if (a.kind != ModelShape.TREE)
+            {
+                _reversed.setReversed(motion);
+                findContactOfParts(b, a, _reversed, out);
+                finishReversed(motion, out);
+                return;
+            }
+            queryOf(a, b).findContact(motion, out);
         }
 
         /** @inheritDoc */
         override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var isReversed:Boolean = a.comesAfter(b);
-            var own:RelativeMotion = motionOfFirst(motion, isReversed);
+            if (a.comesAfter(b))
+            {
+                _reversed.setReversed(motion);
+                findImpactOfSurfaces(b, a, _reversed, out);
+                finishReversed(motion, out);
+                return;
+            }
             _counts.pairTests++;
-            queryInOrder(a, b, isReversed).findImpactOfSurfaces(own, out);
-            finish(own, motion, out);
+            queryOf(a, b).findImpactOfSurfaces(motion, out);
         }
 
         /** @inheritDoc */
         override public function findImpactOfSolids(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var isReversed:Boolean = a.comesAfter(b);
-            var own:RelativeMotion = motionOfFirst(motion, isReversed);
+            if (a.comesAfter(b))
+            {
+                _reversed.setReversed(motion);
+                findImpactOfSolids(b, a, _reversed, out);
+                finishReversed(motion, out);
+                return;
+            }
             _counts.pairTests++;
-            queryInOrder(a, b, isReversed).findImpactOfSolids(own, out);
-            finish(own, motion, out);
+            queryOf(a, b).findImpactOfSolids(motion, out);
         }
 
         /** @inheritDoc */
@@ -154,35 +170,15 @@ package starlogo.search.pairs
             return _treeAndStructure.findNearestTriangle();
         }
 
-        // Returns the motion of the first body of a pair, which is asked about in this order or the reverse: the given motion, or its reverse.
-        private function motionOfFirst(motion:RelativeMotion, isReversed:Boolean):RelativeMotion
+        // Gives the motion of two bodies that were asked about in the reverse order the time that was found, and turns the contact, if there is one, into
+        // theirs.
+        private function finishReversed(motion:RelativeMotion, out:ContactPoint):void
         {
-            if (!isReversed)
-            {
-                return motion;
-            }
-            _reversed.setReversed(motion);
-            return _reversed;
-        }
-
-        // If the two bodies are in the reverse order: gives their motion the time that was found, and turns the contact, if there is one, into theirs.
-        private function finish(own:RelativeMotion, motion:RelativeMotion, out:ContactPoint):void
-        {
-            if (own === motion)
-            {
-                return;
-            }
-            motion.time = own.time;
+            motion.time = _reversed.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 out.swap(motion);
             }
-        }
-
-        // Returns the question about two bodies, in this order or the reverse.
-        private function queryInOrder(a:Body, b:Body, isReversed:Boolean):TreeQuery
-        {
-            return isReversed ? queryOf(b, a) : queryOf(a, b);
         }
 
         // Returns the question about two bodies that the next call overwrites. The first one is a tree.

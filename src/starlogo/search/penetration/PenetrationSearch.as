@@ -45,7 +45,7 @@ package starlogo.search.penetration
             _pair = pair;
             _groundExits = groundExits;
             _directions = new DirectionSearch(pair);
-            _pushOut = new PushOut(pair, groundExits, _directions);
+            _pushOut = new PushOut(pair, _directions);
             _placesAbove = placesAbove;
         }
 

@@ -1,12 +1,8 @@
 package starlogo.search.penetration
 {
     import starlogo.convex.ContactPoint;
-    import starlogo.engine;
     import starlogo.geometry.HalfSpaceSolver;
     import starlogo.geometry.Tolerances;
-    import starlogo.ground.GroundExits;
-
-    use namespace engine;
 
     /**
      * Pushes the first of two bodies out of the second. It tries the shortest push out of a contact. A contact requires a push of at least its
@@ -40,11 +36,10 @@ package starlogo.search.penetration
         // The push: the shortest out of the contacts that decide about it, whose depths are from where the body was at the beginning.
         private var _push:HalfSpaceSolver = new HalfSpaceSolver();
 
-        // The contact after a push, or the first contact displaced by it.
+        // The contact after a push.
         private var _next:ContactPoint = new ContactPoint();
 
         private var _pair:DisplacedPair;
-        private var _groundExits:GroundExits;
         private var _directions:DirectionSearch;
 
         // The displacement that is tried: about the push.
@@ -52,13 +47,11 @@ package starlogo.search.penetration
 
         /**
          * @param pair has begun when a method is called
-         * @param groundExits as in PenetrationSearch
          * @param directions shortens pushes that are longer than needed
          */
-        public function PushOut(pair:DisplacedPair, groundExits:GroundExits, directions:DirectionSearch)
+        public function PushOut(pair:DisplacedPair, directions:DirectionSearch)
         {
             _pair = pair;
-            _groundExits = groundExits;
             _directions = directions;
         }
 
@@ -87,7 +80,7 @@ package starlogo.search.penetration
             {
                 if (tryPush())
                 {
-                    writePush(contact, out);
+                    writePush(out);
                     return true;
                 }
                 addBlockedPush();
@@ -147,25 +140,15 @@ package starlogo.search.penetration
         }
 
         // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.
-        private function writePush(contact:ContactPoint, out:ContactPoint):void
+        private function writePush(out:ContactPoint):void
         {
             out.setNormal(_tried.directionX, _tried.directionY, _tried.directionZ);
             out.depth = _push.distance;
             _tried.distance = _push.distance - _pair.probeDistance;
-            if (_tried.distance > 0 && !(contact.isDeepestOfA && isDeepestStillInside(contact)) && !_pair.touchesAt(_tried))
+            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
             {
                 _directions.shorten(_tried, out);
             }
-        }
-
-        // Whether the deepest point of a contact with the ground is still inside of it after the displacement that is tried.
-        private function isDeepestStillInside(contact:ContactPoint):Boolean
-        {
-            _next.copyFrom(contact);
-            _next.x += _tried.distance * _tried.directionX;
-            _next.y += _tried.distance * _tried.directionY;
-            _next.z += _tried.distance * _tried.directionZ;
-            return _groundExits.isInside(_pair.second.shape.grid, _next);
         }
     }
 }

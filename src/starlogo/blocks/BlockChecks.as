@@ -108,13 +108,8 @@ package starlogo.blocks
             }
             catch (error:Error)
             {
-                if (!(error is ArgumentError || error is RangeError))
-                {
-                    throw error;
-                }
-                problem += ": " + error.message + ".";
+                throw error is ArgumentError || error is RangeError ? new BlockError(block, problem + ": " + error.message + ".") : error;
             }
-            throw new BlockError(block, problem);
         }
 
         /** The words for a value in a message. */

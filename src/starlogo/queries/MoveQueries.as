@@ -110,9 +110,10 @@ package starlogo.queries
             _seen.requireMovable(agent, "slide");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
-            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, limits || SlideLimits.NONE);
+            limits ||= SlideLimits.NONE;
+            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, limits);
             _depenetration.restoreClearance(body, slid.place);
-            if (limits != null && limits.keepsHeight)
+            if (limits.keepsHeight)
             {
                 // the clearance leads off slopes by their normals
                 slid.place.z = body.from.z;
@@ -169,8 +170,7 @@ package starlogo.queries
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            var walk:WalkState = WalkState(_walkPool.top);
-            return walk.body;
+            return WalkState(_walkPool.top).body;
         }
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit

@@ -96,7 +96,20 @@ package starlogo.queries.motion
             _shrunk.begin(body, body.rows, place, NO_MOTION);
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                if (measureOverlap(_shrunk, body.rows.values[i], place, _contact))
+                var row:int = body.rows.values[i];
+                if (body.isOneWay(row) || !_shrunk.shrunkTouches(row, place))
+                {
+                    continue;
+                }
+                body.findContact(row, place, true, _contact);
+                if (body.isShallow(row, _contact) || !_shrunk.bodyOverlaps(row, place))
+                {
+                    continue;
+                }
+                body.warnIfInside(row, _contact);
+                _contact.depth += _shrunk.clearance;
+                // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+                if (body.bodyOf(row).kind != ModelShape.TREE || _contact.depth <= body.fullBody.halfAlong(_contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -243,25 +256,6 @@ package starlogo.queries.motion
             {
                 body.findContact(row, place, true, _contact);
             }
-        }
-
-        // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
-        private static function measureOverlap(shrunk:ShrunkBody, row:int, place:Vector3D, out:ContactPoint):Boolean
-        {
-            var body:MovingBody = shrunk.body;
-            if (body.isOneWay(row) || !shrunk.shrunkTouches(row, place))
-            {
-                return false;
-            }
-            body.findContact(row, place, true, out);
-            if (body.isShallow(row, out) || !shrunk.bodyOverlaps(row, place))
-            {
-                return false;
-            }
-            body.warnIfInside(row, out);
-            out.depth += shrunk.clearance;
-            // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-            return body.bodyOf(row).kind != ModelShape.TREE || out.depth <= body.fullBody.halfAlong(out);
         }
 
         // Whether a push leads back against the last one, which is null at first. Then the body is between two rows.

@@ -108,8 +108,13 @@ package starlogo.blocks
             }
             catch (error:Error)
             {
-                throw error is ArgumentError || error is RangeError ? new BlockError(block, problem + ": " + error.message + ".") : error;
+                if (!(error is ArgumentError || error is RangeError))
+                {
+                    throw error;
+                }
+                problem += ": " + error.message + ".";
             }
+            throw new BlockError(block, problem);
         }
 
         /** The words for a value in a message. */

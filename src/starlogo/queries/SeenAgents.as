@@ -169,8 +169,8 @@ package starlogo.queries
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
             table.readRow(row);
-            _placeTree.enlargeAround(row);
-            _extentTree.enlargeAround(row);
+            _placeTree.enlargeAround(row, table.places, null);
+            _extentTree.enlargeAround(row, table.extents, table.extents);
         }
 
         /** @private See SeenHeights.riseOf. */

@@ -40,8 +40,7 @@ package starlogo.queries.motion
         // The shrunk body that stands, with its tolerances.
         private var _shrunk:ShrunkBody = new ShrunkBody();
 
-        // Where pushes begin, and the pushes off what the body touches.
-        private var _before:Vector3D = new Vector3D();
+        // The pushes off what the body touches.
         private var _pushesOff:ContactList = new ContactList();
 
         // The contact of an overlap, or of this push.
@@ -139,7 +138,9 @@ package starlogo.queries.motion
         {
             var last:ContactPoint = null;
             var isFree:Boolean = false;
-            _before.copyFrom(place);
+            var x:Number = place.x;
+            var y:Number = place.y;
+            var z:Number = place.z;
             pushes.clear();
             for (var round:int = 0; !isFree; round++)
             {
@@ -154,7 +155,7 @@ package starlogo.queries.motion
                     }
                     if (length == Infinity || round == MAX_ROUNDS || leadsBack(_contact, last))
                     {
-                        place.copyFrom(_before);
+                        place.setTo(x, y, z);
                         pushes.clear();
                         return false;
                     }
@@ -174,7 +175,7 @@ package starlogo.queries.motion
             {
                 return 0;
             }
-            findContactOfPush(shrunk.body, row, place, round, last);
+            findContactOfPush(shrunk, row, place, round, last);
             return shrunk.body.isShallow(row, _contact) ? _contact.depth + shrunk.clearance : Infinity;
         }
 
@@ -229,7 +230,7 @@ package starlogo.queries.motion
             {
                 return 0;
             }
-            findContactOfPush(body, row, _tried, round, last);
+            findContactOfPush(shrunk, row, _tried, round, last);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
             if (_contact.depth > most && !body.isShallow(row, _contact))
             {
@@ -248,13 +249,14 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private function findContactOfPush(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint):void
+        private function findContactOfPush(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint):void
         {
-            var isSeparating:Boolean = round >= FIRST_SEPARATING_ROUND;
-            body.findContact(row, place, isSeparating, _contact);
+            // the contact of a flat body with a part that is as flat may point to either side
+            var isSeparating:Boolean = shrunk.isFlat || round >= FIRST_SEPARATING_ROUND;
+            shrunk.body.findContact(row, place, isSeparating, _contact);
             if (!isSeparating && leadsBack(_contact, last))
             {
-                body.findContact(row, place, true, _contact);
+                shrunk.body.findContact(row, place, true, _contact);
             }
         }
 
@@ -273,10 +275,7 @@ package starlogo.queries.motion
             for (var i:int = 0; shrunk.isFlat && !touches && i < 6; i++)
             {
                 var beside:Number = i < 3 ? -shrunk.clearance / 2 : shrunk.clearance / 2;
-                var x:Number = i % 3 == 2 ? beside : 0;
-                var y:Number = i % 3 == 1 ? beside : 0;
-                var z:Number = i % 3 == 0 ? beside : 0;
-                touching.setTo(place.x + x, place.y + y, place.z + z);
+                touching.setTo(place.x + (i % 3 == 2 ? beside : 0), place.y + (i % 3 == 1 ? beside : 0), place.z + (i % 3 == 0 ? beside : 0));
                 touches = shrunk.bodyTouches(row, touching);
             }
             return touches;

@@ -275,7 +275,10 @@ package starlogo.queries.motion
             for (var i:int = 0; shrunk.isFlat && !touches && i < 6; i++)
             {
                 var beside:Number = i < 3 ? -shrunk.clearance / 2 : shrunk.clearance / 2;
-                touching.setTo(place.x + (i % 3 == 2 ? beside : 0), place.y + (i % 3 == 1 ? beside : 0), place.z + (i % 3 == 0 ? beside : 0));
+                var x:Number = i % 3 == 2 ? beside : 0;
+                var y:Number = i % 3 == 1 ? beside : 0;
+                var z:Number = i % 3 == 0 ? beside : 0;
+                touching.setTo(place.x + x, place.y + y, place.z + z);
                 touches = shrunk.bodyTouches(row, touching);
             }
             return touches;

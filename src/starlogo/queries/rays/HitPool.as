@@ -37,7 +37,12 @@ package starlogo.queries.rays
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    hits[i] = _free.pop() || new _type();
+                    var spare:Object = _free.pop();
+                    if (spare == null)
+                    {
+                        spare = new _type();
+                    }
+                    hits[i] = spare;
                 }
             }
         }

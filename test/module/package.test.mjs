@@ -627,6 +627,22 @@ test("while a game is developed, a cast that begins inside of a hull is told fro
 	assert.deepEqual(others, []);
 });
 
+test("while a game is developed, a card that only touches others in its plane is not warned of", () => {
+	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, CombinationCollider, GreatLand, ObjModel", module)}
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.box(3, 3, 1, "table"));
+		land.addModel(new ObjModel("card", "v -1 -1 0\\nv 1 -1 0\\nv 1 1 0\\nv -1 1 0\\nf 1 2 3 4"));
+		const [card, other, table] = [new Agent("card"), new Agent("card"), new Agent("table")];
+		other.moveTo(0.4, 0, 0);
+		table.moveTo(0, 0, -1);
+		other.hierarchical = table.hierarchical = true;
+		const queries = new AgentQueries(Object.assign(new CombinationCollider(land), { exact: true }));
+		queries.update([card, other, table]);
+		queries.slide(card, 1, 0, 0);
+		console.log(JSON.stringify(said));`;
+	assert.deepEqual(warningsOf(program), []);
+});
+
 test("while a game is developed, a walker whose way up is blocked by who stands on it is warned of, and a cast agent is named", () => {
 	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, CombinationCollider, GreatLand", module)}
 		const rise = (breed, exceptBreeds) => {

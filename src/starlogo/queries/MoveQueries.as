@@ -58,33 +58,33 @@ package starlogo.queries
         /** See AgentMotions.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(currentBody().setToStructure(structure).aim(dx, dy, dz), filter, hit);
+            return cast(currentWalk().body.setToStructure(structure).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(currentBody().setToStructure(structure).aim(dx, dy, dz), filter, out);
+            return castAll(currentWalk().body.setToStructure(structure).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(currentBody().setToCastAgent(agent).aim(dx, dy, dz), filter, hit);
+            return cast(currentWalk().body.setToCastAgent(agent).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(currentBody().setToCastAgent(agent).aim(dx, dy, dz), filter, out);
+            return castAll(currentWalk().body.setToCastAgent(agent).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
+            var body:MovingBody = currentWalk().body.setToAgent(agent).aim(dx, dy, dz);
             var first:MotionResult = findTouches(body, filter);
             if (first.hasContact)
             {
@@ -108,11 +108,12 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits = null):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
+            var body:MovingBody = currentWalk().body.setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
-            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, limits || SlideLimits.NONE);
+            limits ||= SlideLimits.NONE;
+            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, limits);
             _depenetration.restoreClearance(body, slid.place);
-            if (limits != null && limits.keepsHeight)
+            if (limits.keepsHeight)
             {
                 // the clearance leads off slopes by their normals
                 slid.place.z = body.from.z;
@@ -125,7 +126,7 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:WalkState = WalkState(_walkPool.top);
+            var walk:WalkState = currentWalk();
             var stands:Boolean = _planner.plan(agent, dx, dy, options || DEFAULT_OPTIONS, walk);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
@@ -149,7 +150,7 @@ package starlogo.queries
          */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            var walk:WalkState = WalkState(_walkPool.top);
+            var walk:WalkState = currentWalk();
             return writeFooting(walk, _planner.plan(agent, 0, 0, options, walk), out);
         }
 
@@ -166,11 +167,10 @@ package starlogo.queries
             return out;
         }
 
-        // The body of the question that begins now.
-        private function currentBody():MovingBody
+        // The walk of the question that begins now.
+        private function currentWalk():WalkState
         {
-            var walk:WalkState = WalkState(_walkPool.top);
-            return walk.body;
+            return WalkState(_walkPool.top);
         }
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit

@@ -64,9 +64,7 @@ package starlogo.queries
         private var _extentTree:RowTree = new RowTree();
         private var _isUpdated:Boolean = false;
 
-        // The heights in the last update, and in the one before it.
         private var _heights:SeenHeights = new SeenHeights();
-        private var _heightsBefore:SeenHeights = new SeenHeights();
 
         // The body of an agent that has changed since the last update.
         private var _spare:Body = new Body();
@@ -139,9 +137,6 @@ package starlogo.queries
             next.read(agents);
             next.readEnvironment(terrain == null ? null : terrain.environmentAgent, null);
             table = next;
-            var before:SeenHeights = _heights;
-            _heights = _heightsBefore;
-            _heightsBefore = before;
             _heights.read(table);
             narrowPhase = newNarrowPhase;
             if (isOtherNarrowPhase)
@@ -174,22 +169,14 @@ package starlogo.queries
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
             table.readRow(row);
-            _placeTree.enlargeAround(row);
-            _extentTree.enlargeAround(row);
+            _placeTree.enlargeAround(row, table.places, null);
+            _extentTree.enlargeAround(row, table.extents, table.extents);
         }
 
-        /**
-         * @private How far a one-way row has risen since the update before the last one. If its agent has come or jumped between these two, it is how far
-         * it has risen since the last one. It is less than 0 if it has sunk, and 0 if the agent has jumped since, and for all other rows.
-         */
+        /** @private See SeenHeights.riseOf. */
         engine function riseOf(row:int):Number
         {
-            if (!table.listed.agentsByRow[row].isOneWay || !_heights.has(table, row))
-            {
-                return 0;
-            }
-            var since:SeenHeights = _heightsBefore.has(table, row) ? _heightsBefore : _heights;
-            return since.riseOf(table, row);
+            return _heights.riseOf(table, row);
         }
 
         /**
@@ -209,9 +196,7 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function beginCollecting(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var collector:Collector = Collector(_collectorPool.top);
-            collector.begin(maxCount, limit, asker, filter);
-            return collector;
+            return Collector(_collectorPool.top).begin(maxCount, limit, asker, filter);
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */

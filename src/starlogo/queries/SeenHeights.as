@@ -7,7 +7,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * The heights of all rows in one update of a SeenAgents. What is higher now has risen.
+     * The heights of all rows in the last update of a SeenAgents and the one before it. What is higher now has risen.
      *
      * @private
      */
@@ -16,7 +16,10 @@ package starlogo.queries
         // In place of a revision: no agent had the row. It is less than the revision of any jump.
         private static const NO_AGENT:int = -2;
 
-        // By row: the height, and the agent's revision there.
+        // By row: the height from which its rise counts.
+        private var _risesFrom:Vector.<Number> = new Vector.<Number>();
+
+        // By row: the height in the last update, and the agent's revision there.
         private var _heights:Vector.<Number> = new Vector.<Number>();
         private var _revisions:Vector.<int> = new Vector.<int>();
 
@@ -24,29 +27,31 @@ package starlogo.queries
         public function read(table:AgentTable):void
         {
             var agents:Vector.<Agent> = table.listed.agentsByRow;
-            _heights.length = _revisions.length = agents.length;
+            var rowsBefore:int = _revisions.length;
             // locals, because the loop goes through all agents in every update
+            var risesFrom:Vector.<Number> = _risesFrom;
             var heights:Vector.<Number> = _heights;
             var revisions:Vector.<int> = _revisions;
             var heightsNow:Vector.<Number> = table.places.z;
             var revisionsNow:Vector.<int> = table.revisions;
+            risesFrom.length = heights.length = revisions.length = agents.length;
             for (var row:int = 0; row < agents.length; row++)
             {
+                var agent:Agent = agents[row];
+                risesFrom[row] = row < rowsBefore && agent != null && agent.jumpRevision <= revisions[row] ? heights[row] : heightsNow[row];
                 heights[row] = heightsNow[row];
-                revisions[row] = agents[row] == null ? NO_AGENT : revisionsNow[row];
+                revisions[row] = agent == null ? NO_AGENT : revisionsNow[row];
             }
         }
 
-        /** Whether the agent of a row of the table had the same row then, and has not jumped since. */
-        public function has(table:AgentTable, row:int):Boolean
-        {
-            return row < _revisions.length && table.listed.agentsByRow[row].jumpRevision <= _revisions[row];
-        }
-
-        /** How far a row of the table is now above its height then. */
+        /**
+         * How far a one-way row of the table has risen since the update before the last one. If its agent has come or jumped between these two, it is
+         * how far it has risen since the last one. It is less than 0 if it has sunk, and 0 if the agent has jumped since, and for all other rows.
+         */
         public function riseOf(table:AgentTable, row:int):Number
         {
-            return table.places.z[row] - _heights[row];
+            var agent:Agent = table.listed.agentsByRow[row];
+            return agent.isOneWay && agent.jumpRevision <= _revisions[row] ? table.places.z[row] - _risesFrom[row] : 0;
         }
     }
 }

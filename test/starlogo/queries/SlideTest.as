@@ -79,6 +79,28 @@ package starlogo.queries
             return mover.x + ", " + mover.y + ", " + mover.z;
         }
 
+        // A card in the plane of a table's top is neither in the table nor stopped by it.
+        [Test]
+        public function aCardInThePlaneOfATableMoves():void
+        {
+            var land:GreatLand = landOf(BuiltInModel.box(3, 3, 1, "table"), new ObjModel("card", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4"));
+            var table:Agent = new Agent("table");
+            table.hierarchical = true;
+            table.moveTo(0, 0, -1);
+            for each (var name:String in ["tightest fits", "hierarchies", "triangles", "combinations, exact"])
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, land));
+                var card:Agent = new Agent("card");
+                queries.update(new <Agent>[table, card]);
+                assertEquals(name, 1, queries.moveUntilTouch(card, 0.5, 0, 0));
+                assertEquals(name, 1, queries.slide(card, -0.5, 0, 0));
+                card.moveTo(0, 0, 0);
+                assertEquals(name, 1, queries.moveUntilTouch(card, 0, 0, 0.5));
+                card.moveTo(0, 0, 0);
+                assertEquals(name, 0, queries.moveUntilTouch(card, 0, 0, -0.5));
+            }
+        }
+
         // A leaf that ends its way close to a wall, without touching it, keeps the same gap on each side of it, along each axis.
         [Test]
         public function aLeafKeepsTheSameGapOnAllSides():void

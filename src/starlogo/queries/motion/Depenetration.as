@@ -40,8 +40,7 @@ package starlogo.queries.motion
         // The shrunk body that stands, with its tolerances.
         private var _shrunk:ShrunkBody = new ShrunkBody();
 
-        // Where pushes begin, and the pushes off what the body touches.
-        private var _before:Vector3D = new Vector3D();
+        // The pushes off what the body touches.
         private var _pushesOff:ContactList = new ContactList();
 
         // The contact of an overlap, or of this push.
@@ -96,7 +95,20 @@ package starlogo.queries.motion
             _shrunk.begin(body, body.rows, place, NO_MOTION);
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                if (measureOverlap(_shrunk, body.rows.values[i], place, _contact))
+                var row:int = body.rows.values[i];
+                if (body.isOneWay(row) || !_shrunk.shrunkTouches(row, place))
+                {
+                    continue;
+                }
+                body.findContact(row, place, true, _contact);
+                if (body.isShallow(row, _contact) || !_shrunk.bodyOverlaps(row, place))
+                {
+                    continue;
+                }
+                body.warnIfInside(row, _contact);
+                _contact.depth += _shrunk.clearance;
+                // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+                if (body.bodyOf(row).kind != ModelShape.TREE || _contact.depth <= body.fullBody.halfAlong(_contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -126,7 +138,9 @@ package starlogo.queries.motion
         {
             var last:ContactPoint = null;
             var isFree:Boolean = false;
-            _before.copyFrom(place);
+            var x:Number = place.x;
+            var y:Number = place.y;
+            var z:Number = place.z;
             pushes.clear();
             for (var round:int = 0; !isFree; round++)
             {
@@ -141,7 +155,7 @@ package starlogo.queries.motion
                     }
                     if (length == Infinity || round == MAX_ROUNDS || leadsBack(_contact, last))
                     {
-                        place.copyFrom(_before);
+                        place.setTo(x, y, z);
                         pushes.clear();
                         return false;
                     }
@@ -161,7 +175,7 @@ package starlogo.queries.motion
             {
                 return 0;
             }
-            findContactOfPush(shrunk.body, row, place, round, last);
+            findContactOfPush(shrunk, row, place, round, last);
             return shrunk.body.isShallow(row, _contact) ? _contact.depth + shrunk.clearance : Infinity;
         }
 
@@ -216,7 +230,7 @@ package starlogo.queries.motion
             {
                 return 0;
             }
-            findContactOfPush(body, row, _tried, round, last);
+            findContactOfPush(shrunk, row, _tried, round, last);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
             if (_contact.depth > most && !body.isShallow(row, _contact))
             {
@@ -235,33 +249,15 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private function findContactOfPush(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint):void
+        private function findContactOfPush(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint):void
         {
-            var isSeparating:Boolean = round >= FIRST_SEPARATING_ROUND;
-            body.findContact(row, place, isSeparating, _contact);
+            // the contact of a flat body with a part that is as flat may point to either side
+            var isSeparating:Boolean = shrunk.isFlat || round >= FIRST_SEPARATING_ROUND;
+            shrunk.body.findContact(row, place, isSeparating, _contact);
             if (!isSeparating && leadsBack(_contact, last))
             {
-                body.findContact(row, place, true, _contact);
+                shrunk.body.findContact(row, place, true, _contact);
             }
-        }
-
-        // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
-        private static function measureOverlap(shrunk:ShrunkBody, row:int, place:Vector3D, out:ContactPoint):Boolean
-        {
-            var body:MovingBody = shrunk.body;
-            if (body.isOneWay(row) || !shrunk.shrunkTouches(row, place))
-            {
-                return false;
-            }
-            body.findContact(row, place, true, out);
-            if (body.isShallow(row, out) || !shrunk.bodyOverlaps(row, place))
-            {
-                return false;
-            }
-            body.warnIfInside(row, out);
-            out.depth += shrunk.clearance;
-            // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-            return body.bodyOf(row).kind != ModelShape.TREE || out.depth <= body.fullBody.halfAlong(out);
         }
 
         // Whether a push leads back against the last one, which is null at first. Then the body is between two rows.

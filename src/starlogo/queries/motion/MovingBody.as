@@ -327,7 +327,7 @@ package starlogo.queries.motion
             {
                 allowed *= WITH_ROOM;
             }
-            if (kind != ModelShape.GROUND && contact.depth > allowed)
+            if (kind != ModelShape.GROUND && contact.depth > allowed && !isShallow(row, contact))
             {
                 var below:Number = fullBody.placement.r22 == 1 ? fullBody.halfZ - fullBody.offsetZ : 0;
                 warnOfInside(_seen.table.listed.agentsByRow, row, agent, fullBody.placement, below, contact.depth, isTree);

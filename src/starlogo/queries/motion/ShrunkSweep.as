@@ -39,13 +39,10 @@ package starlogo.queries.motion
         /** The contacts of overlaps that stay (deep, or without a way out), and those that a slide has met. The motion must not cross their planes. */
         public var planes:ContactList = new ContactList();
 
-        /**
-         * The rows that can stop the motion. The caller sets them to the rows near its way, before <code>begin()</code>. Rows that a plane stands for, and
-         * one-way rows that the body passes, leave them.
-         */
+        /** The rows that can stop the motion. Rows that a plane stands for, and one-way rows that the body passes, leave them. */
         public var obstacles:IntList = new IntList();
 
-        /** What the shrunk body meets next, once it is known. */
+        /** What the shrunk body meets next, once it is known. A search for it overwrites it. */
         public var impact:Impact = new Impact();
 
         private var _depenetration:Depenetration = new Depenetration();
@@ -60,22 +57,24 @@ package starlogo.queries.motion
         /**
          * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps.
          *
+         * @param rows the rows that may be in its way
          * @param from where the motion should start
          * @return whether the impact is known: the motion has no length, or the sweep has shown that the shrunk body overlaps nothing. Otherwise the
          *     obstacles must be swept from the start
          */
-        public function begin(body:MovingBody, from:Vector3D, motion:Vector3D):Boolean
+        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):Boolean
         {
             copyVector(from, start);
             pushes.clear();
             planes.clear();
+            obstacles.copyFrom(rows);
             impact.row = -1;
-            shrunk.begin(body, obstacles, from, motion);
+            shrunk.begin(body, rows, from, motion);
             if (!hasLength(motion))
             {
                 return true;
             }
-            if (shrunk.isFlat || (findFirstOfObstacles(start, motion, true, impact) && (impact.time == 0 || body.isOneWay(impact.row))))
+            if (shrunk.isFlat || (findFirstImpact(start, motion, true) && (impact.time == 0 || body.isOneWay(impact.row))))
             {
                 // it overlaps something, or a sweep cannot tell
                 _depenetration.depenetrate(this);
@@ -87,12 +86,13 @@ package starlogo.queries.motion
         /**
          * Finds what stops a straight motion: a plane of an overlap, or an obstacle.
          *
+         * @param rows the rows that may be in its way
          * @param from where the motion should start
          * @param out receives all but places. Its fraction is 0 for a plane
          */
-        public function findStop(body:MovingBody, from:Vector3D, motion:Vector3D, out:MotionResult):void
+        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            var isKnown:Boolean = begin(body, from, motion);
+            var isKnown:Boolean = begin(body, rows, from, motion);
             var crossesPlane:Boolean = !isKnown && findCrossedPlane(motion);
             if (!isKnown && !crossesPlane)
             {
@@ -100,30 +100,38 @@ package starlogo.queries.motion
             }
             out.fraction = crossesPlane ? 0 : (impact.hasRow ? findTouchTime(start, motion) : 1);
             out.row = impact.row;
-            out.wallRow = -1;
             out.startsPenetrating = planes.count > 0;
             out.contact.copyFrom(impact.contact);
         }
 
         /**
-         * Finds which obstacle the shrunk body meets first, also if it is a one-way row that the body passes: none, if the motion has no length. Of
-         * those with the same <code>orderTime</code>, the first one in their order counts.
+         * Finds the impact: which obstacle the shrunk body meets first, also if it is a one-way row that the body passes. It meets none if the motion has
+         * no length. Of those with the same <code>orderTime</code>, the first one in their order counts.
          *
          * @param from where the body is
          * @param motion what is left of the motion
-         * @param out receives the answer
+         * @param isStart whether the motion starts there. Then the body may be inside of obstacles, and meets these at once
          * @return whether anything is met
          */
-        public function findFirstImpact(from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function findFirstImpact(from:Vector3D, motion:Vector3D, isStart:Boolean = false):Boolean
         {
-            out.row = -1;
-            return hasLength(motion) && findFirstOfObstacles(from, motion, false, out);
+            var end:int = hasLength(motion) ? obstacles.count : 0;
+            impact.row = -1;
+            impact.orderTime = RelativeMotion.NEVER;
+            for (var i:int = 0; i < end && impact.orderTime > 0; i++)
+            {
+                if (findRowImpact(obstacles.values[i], from, motion, isStart, _met) && _met.orderTime < impact.orderTime)
+                {
+                    impact.copyFrom(_met);
+                }
+            }
+            return impact.hasRow;
         }
 
         /** Finds the impact: which obstacle stops the shrunk body first. One-way rows that the body passes leave the obstacles. */
         public function findStoppingImpact(from:Vector3D, motion:Vector3D):void
         {
-            while (findFirstImpact(from, motion, impact) && shrunk.body.passesOneWay(impact.row, impact.contact))
+            while (findFirstImpact(from, motion) && shrunk.body.passesOneWay(impact.row, impact.contact))
             {
                 obstacles.remove(impact.row);
             }
@@ -202,22 +210,6 @@ package starlogo.queries.motion
             impact.isNormalFallback = false;
             impact.contact.triangle = -1;
             return impact.hasRow;
-        }
-
-        // Finds which obstacle the shrunk body meets first. If the motion starts there, the body may be inside of obstacles, and meets these at once.
-        // Returns whether it meets any.
-        private function findFirstOfObstacles(from:Vector3D, motion:Vector3D, isStart:Boolean, out:Impact):Boolean
-        {
-            out.row = -1;
-            out.time = out.orderTime = RelativeMotion.NEVER;
-            for (var i:int = 0; i < obstacles.count && out.orderTime > 0; i++)
-            {
-                if (findRowImpact(obstacles.values[i], from, motion, isStart, _met) && _met.orderTime < out.orderTime)
-                {
-                    out.copyFrom(_met);
-                }
-            }
-            return out.hasRow;
         }
 
         // Finds when and how a row stops the shrunk body. If the first contact does not point against the motion, the shrunk body leaves there what

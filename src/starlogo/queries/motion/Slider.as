@@ -24,10 +24,9 @@ package starlogo.queries.motion
         // A slide turns at this many contacts at most.
         private static const MAX_CONTACTS:int = 8;
 
-        // The motion, what remains of it, and what stops it first without one of the planes.
+        // The motion, and what remains of it.
         private var _sweep:ShrunkSweep = new ShrunkSweep();
         private var _remaining:RemainingMotion = new RemainingMotion();
-        private var _impactWithoutPlane:Impact = new Impact();
 
         // A way straight up or down, and the limits of a slide down.
         private var _vertical:Vector3D = new Vector3D();
@@ -52,8 +51,7 @@ package starlogo.queries.motion
             result.wallRow = -1;
             result.row = -1;
             _remaining.begin(motion, limits);
-            _sweep.obstacles.copyFrom(rows);
-            var isKnown:Boolean = _sweep.begin(body, from, _remaining.motion);
+            var isKnown:Boolean = _sweep.begin(body, rows, from, _remaining.motion);
             result.startsPenetrating = _sweep.planes.count > 0;
             result.place.copyFrom(_sweep.start);
             if (!isKnown)
@@ -61,7 +59,7 @@ package starlogo.queries.motion
                 _remaining.beginCorner();
                 if (limits.keepsHeight)
                 {
-                    makePlanesUpright(_sweep.planes, _remaining);
+                    makePlanesUpright();
                 }
                 projectAndSweep(result.place);
             }
@@ -69,14 +67,14 @@ package starlogo.queries.motion
             var corner:int = _sweep.planes.count;
             for (var contacts:int = 0; contacts < MAX_CONTACTS && impact.hasRow; contacts++)
             {
-                if (!isInCorner(impact, _remaining.motion))
+                if (!isInCorner())
                 {
                     _remaining.beginCorner();
                     corner = _sweep.planes.count;
                 }
                 var touchTime:Number = _sweep.findTouchTime(result.place, _remaining.motion);
                 _remaining.advance(result.place, Math.max(touchTime + _sweep.shrunk.clearance / impact.contact.along(_remaining.motion), 0));
-                noteContact(impact, limits, _remaining, result);
+                noteContact(impact, limits, result);
                 dropNeedlessPlanes(result.place, corner, _sweep.planes.add(impact.contact, impact.row));
                 projectAndSweep(result.place);
             }
@@ -105,8 +103,7 @@ package starlogo.queries.motion
         public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):MotionResult
         {
             var result:MotionResult = _straight;
-            _sweep.obstacles.copyFrom(rows);
-            _sweep.findStop(body, from, motion, result);
+            _sweep.findStop(body, rows, from, motion, result);
             var end:Number = result.hasContact ? Math.max(result.fraction + _sweep.shrunk.clearance / result.contact.along(motion), 0) : 1;
             ShrunkSweep.setAlong(_sweep.start, motion, end, result.place);
             return result;
@@ -135,7 +132,7 @@ package starlogo.queries.motion
         }
 
         // Notes what a slide meets. What is too steep becomes an upright wall. The rest climbs what is not.
-        private static function noteContact(impact:Impact, limits:SlideLimits, remaining:RemainingMotion, out:MotionResult):void
+        private function noteContact(impact:Impact, limits:SlideLimits, out:MotionResult):void
         {
             var contact:ContactPoint = impact.contact;
             if (!impact.isNormalFallback && (!out.hasContact || contact.normalZ > out.contact.normalZ))
@@ -146,41 +143,42 @@ package starlogo.queries.motion
             if (contact.normalZ < limits.minFloorNormalZ)
             {
                 out.wallRow = impact.row;
-                makeUpright(contact, remaining);
+                makeUpright(contact);
             }
             else if (limits.minFloorNormalZ > 0)
             {
-                remaining.liftOverPlane(contact);
+                _remaining.liftOverPlane(contact);
             }
         }
 
         // Turns a contact that is too steep into an upright wall. The rest of the motion becomes horizontal, because the slope would stop a motion up
         // or down.
-        private static function makeUpright(contact:ContactPoint, remaining:RemainingMotion):void
+        private function makeUpright(contact:ContactPoint):void
         {
             if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > VERTICAL_NORMAL)
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();
-                remaining.flatten();
+                _remaining.flatten();
             }
         }
 
         // Turns the planes of what the body overlaps into upright walls, except of horizontal floors and ceilings.
-        private static function makePlanesUpright(planes:ContactList, remaining:RemainingMotion):void
+        private function makePlanesUpright():void
         {
-            for (var i:int = 0; i < planes.count; i++)
+            for (var i:int = 0; i < _sweep.planes.count; i++)
             {
-                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.HORIZONTAL_Z)
+                var plane:ContactPoint = _sweep.planes.contacts[i];
+                if (Math.abs(plane.normalZ) < SlideLimits.HORIZONTAL_Z)
                 {
-                    makeUpright(planes.contacts[i], remaining);
+                    makeUpright(plane);
                 }
             }
         }
 
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the
-        // next tile hides. A plane is removed if the motion meets nothing in this corner without it. The rest of the motion has to be projected again
-        // afterwards.
+        // next tile hides. A plane is removed if the motion meets nothing in this corner without it. Afterwards the rest of the motion has to be
+        // projected again, and the impact is unknown.
         private function dropNeedlessPlanes(place:Vector3D, corner:int, newest:int):void
         {
             for (var i:int = _sweep.planes.count - 1; i >= corner; i--)
@@ -199,14 +197,14 @@ package starlogo.queries.motion
         // Whether what remains of the motion is stopped in this corner.
         private function meetsInCorner(place:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(place, _remaining.motion, _impactWithoutPlane) && isInCorner(_impactWithoutPlane, _remaining.motion)
-                && !_sweep.shrunk.body.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
+            return _sweep.findFirstImpact(place, _remaining.motion) && isInCorner()
+                && !_sweep.shrunk.body.passesOneWay(_sweep.impact.row, _sweep.impact.contact);
         }
 
-        // Whether what a motion meets first is met in the corner where it begins.
-        private function isInCorner(impact:Impact, motion:Vector3D):Boolean
+        // Whether what the rest of the motion meets first is met in the corner where it begins.
+        private function isInCorner():Boolean
         {
-            return impact.time * motion.length < SAME_CORNER * _sweep.shrunk.slop;
+            return _sweep.impact.time * _remaining.motion.length < SAME_CORNER * _sweep.shrunk.slop;
         }
     }
 }

@@ -2,9 +2,9 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
+    import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
     import starlogo.geometry.compareVectors;
-    import starlogo.geometry.copyVector;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -33,11 +33,9 @@ package starlogo.queries.motion
         // The motion among all rows.
         private var _sweepOfAll:ShrunkSweep = new ShrunkSweep();
 
-        // The motion past one row.
+        // One row, and the motion past it.
+        private var _row:IntList = new IntList();
         private var _sweepOfRow:ShrunkSweep = new ShrunkSweep();
-
-        // The way from the computed end of a motion to where the shrunk body touches.
-        private var _toShrunk:Vector3D = new Vector3D();
 
         // The results, whose memory is used again, and the indices of those that count, with the times as keys. The first is that of a free motion too.
         private var _results:Vector.<MotionResult> = new <MotionResult>[new MotionResult()];
@@ -51,16 +49,14 @@ package starlogo.queries.motion
          */
         public function findTouches(body:MovingBody):MotionResult
         {
-            copyVector(body.from, _sweepOfAll.start);
             _sweepOfAll.pushes.clear();
-            if (addTouches(body))
+            if (addTouches(body, body.from))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
-                _sweepOfAll.obstacles.copyFrom(body.rows);
-                _sweepOfAll.begin(body, body.from, body.motion);
+                _sweepOfAll.begin(body, body.rows, body.from, body.motion);
                 if (compareVectors(_sweepOfAll.start, body.from) != 0)
                 {
-                    addTouches(body);
+                    addTouches(body, _sweepOfAll.start);
                 }
             }
             if (count > 0)
@@ -88,8 +84,8 @@ package starlogo.queries.motion
             return _results[_touches.values[index]];
         }
 
-        // Adds the rows that stop the body from where it starts among all of them. Returns whether another start may change the answer.
-        private function addTouches(body:MovingBody):Boolean
+        // Adds the rows that stop the body if it starts at a place. Returns whether another start may change the answer.
+        private function addTouches(body:MovingBody, start:Vector3D):Boolean
         {
             var mayPush:Boolean = false;
             _touches.count = 0;
@@ -101,9 +97,9 @@ package starlogo.queries.motion
                     _results.push(new MotionResult());
                 }
                 var touch:MotionResult = _results[count];
-                findTouch(body, body.rows.values[i], touch);
+                findTouch(body, start, body.rows.values[i], touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= compareVectors(_sweepOfRow.start, _sweepOfAll.start) != 0 || (touch.fraction == 0 && !touch.startsPenetrating);
+                mayPush ||= compareVectors(_sweepOfRow.start, start) != 0 || (touch.fraction == 0 && !touch.startsPenetrating);
                 if (touch.hasContact)
                 {
                     _touches.add(count, touch.fraction);
@@ -114,11 +110,11 @@ package starlogo.queries.motion
 
         // Finds whether and when a row stops the body, as if there were no others. The row alone may push the body farther from where it starts. Rounding
         // may hide the touch at its place: see moveIntoTouch.
-        private function findTouch(body:MovingBody, row:int, out:MotionResult):void
+        private function findTouch(body:MovingBody, start:Vector3D, row:int, out:MotionResult):void
         {
-            _sweepOfRow.obstacles.count = 0;
-            _sweepOfRow.obstacles.add(row);
-            _sweepOfRow.findStop(body, _sweepOfAll.start, body.motion, out);
+            _row.count = 0;
+            _row.add(row);
+            _sweepOfRow.findStop(body, _row, start, body.motion, out);
             if (out.hasContact)
             {
                 if (!out.startsPenetrating)
@@ -147,8 +143,10 @@ package starlogo.queries.motion
                 return;
             }
             var place:Vector3D = touch.place;
-            _toShrunk.copyFrom(touch.shrunkPlace);
-            _toShrunk.decrementBy(place);
+            var end:Vector3D = touch.shrunkPlace;
+            var dx:Number = end.x - place.x;
+            var dy:Number = end.y - place.y;
+            var dz:Number = end.z - place.z;
             var step:Number = halfGapAt(place, body.extentWith(body.bodyOf(touch.row)));
             touch.contact.movePoint(place, step);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
@@ -161,11 +159,11 @@ package starlogo.queries.motion
             }
             var free:Number = 0;
             var touching:Number = 1;
-            // times are counted from where the shrunk body touches backwards, so that the last one is exactly there
+            // fractions are counted from where the shrunk body touches backwards, so that the last place is exactly there
             for (i = 0; i < HALVINGS; i++)
             {
                 var middle:Number = (free + touching) / 2;
-                ShrunkSweep.setAlong(touch.shrunkPlace, _toShrunk, middle - 1, place);
+                place.setTo(end.x + (middle - 1) * dx, end.y + (middle - 1) * dy, end.z + (middle - 1) * dz);
                 if (body.touches(touch.row, place))
                 {
                     touching = middle;
@@ -175,7 +173,7 @@ package starlogo.queries.motion
                     free = middle;
                 }
             }
-            ShrunkSweep.setAlong(touch.shrunkPlace, _toShrunk, touching - 1, place);
+            place.setTo(end.x + (touching - 1) * dx, end.y + (touching - 1) * dy, end.z + (touching - 1) * dz);
         }
 
         // Takes the push out of a time of touch: without it the body would have touched earlier.

@@ -53,8 +53,7 @@ package starlogo.queries.rays
             {
                 return _seen.narrowPhase.groundTestsOf(body).findRayEntry(body, ray, out);
             }
-            bringIntoModel(ray, body.placement, _rayInModel);
-            if (!_rayInModel.isFinite || !findEntryOfShape(body, _rayInModel, out))
+            if (!bringIntoModel(ray, body.placement, _rayInModel) || !findEntryOfShape(body, _rayInModel, out))
             {
                 return false;
             }
@@ -72,8 +71,9 @@ package starlogo.queries.rays
          * Moves a ray into the space of a row's model.
          *
          * @param rayInModel receives the ray there
+         * @return whether it is so near that it can be computed with
          */
-        internal static function bringIntoModel(ray:Ray, placement:Placement, rayInModel:Ray):void
+        internal static function bringIntoModel(ray:Ray, placement:Placement, rayInModel:Ray):Boolean
         {
             var ahead:Number = aheadOf(ray, placement);
             rayInModel.directionX = ray.directionX;
@@ -87,6 +87,7 @@ package starlogo.queries.rays
             rayInModel.from = -ahead / size;
             // because of rounding this end is a little too far; hits beyond the exact end are refused later
             rayInModel.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
+            return rayInModel.isFinite;
         }
 
         /** Moves where a ray enters a shape from the model's space into the world. Because of rounding, it may be beyond the ray's end there. */

@@ -55,8 +55,7 @@ package starlogo.queries.rays
             }
             else
             {
-                RowRayTest.bringIntoModel(ray, body.placement, _rayInModel);
-                areTriangles = _rayInModel.isFinite && addCrossings(body, _rayInModel, _crossings);
+                areTriangles = RowRayTest.bringIntoModel(ray, body.placement, _rayInModel) && addCrossings(body, _rayInModel, _crossings);
             }
             _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)

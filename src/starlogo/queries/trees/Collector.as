@@ -54,20 +54,21 @@ package starlogo.queries.trees
         }
 
         /**
-         * Begins a search.
+         * Begins a search. Returns this collector.
          *
          * @param maxCount how many of the rows with the smallest keys count, or ALL
          * @param limit the largest key
          * @param asker the agent that asks, which is left out; or null
          * @param agentFilter the agents that count; null for all
          */
-        public function begin(maxCount:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
+        public function begin(maxCount:int, limit:Number, asker:Agent, agentFilter:AgentFilter):Collector
         {
             filter.begin(_seen.table.listed, asker, agentFilter);
             this.maxCount = maxCount;
             this.limit = maxCount == 0 ? -1 : limit;
             _trimCount = filter.accepts == null ? maxCount : ALL;
             _rows.count = _admitted = 0;
+            return this;
         }
 
         /** Whether a row has a shape, is not the row of the agent that asks, and the filter may admit it. */
@@ -79,11 +80,7 @@ package starlogo.queries.trees
         /** Adds a row that the question has found. This may lower the limit. */
         public function add(row:int, key:Number):void
         {
-            // _rows.add() written out: it would be one call more for each row
-            var at:int = _rows.count;
-            _rows.values[at] = row;
-            _rows.keys[at] = key;
-            _rows.count = at + 1;
+            _rows.add(row, key);
             if (_rows.count == _trimCount)
             {
                 keepFirst();

@@ -75,12 +75,8 @@ package starlogo.queries.trees
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
 
-        // The columns given to build(), by row: the middle of the row's box, and half of its lengths, or null for places.
-        private var _middles:Points;
-        private var _halves:Extents;
-
         /**
-         * Builds the tree again. It keeps the columns, because <code>enlargeAround()</code> reads them later.
+         * Builds the tree again.
          *
          * @param rows a list of rows
          * @param count how many rows the tree has: the first ones of the list
@@ -94,8 +90,6 @@ package starlogo.queries.trees
             maxExtent = 0;
             _breedsAsOf = -1;
             this.count = count;
-            _middles = points;
-            _halves = sizes;
             firstLeaf = 1;
             while (firstLeaf * LEAF_SIZE < count)
             {
@@ -107,7 +101,7 @@ package starlogo.queries.trees
                 this.rows[i] = rows[i];
             }
             RowDivision.divide(this.rows, count, points, nodeBoxes, firstLeaf);
-            boundAll();
+            boundAll(points, sizes);
         }
 
         /** Whether the tree must be built again before the next search. */
@@ -186,8 +180,13 @@ package starlogo.queries.trees
             return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
-        /** Reads the box of one row again, and enlarges the nodes' boxes around it to contain it, unless the tree is stale. These never get smaller. */
-        public function enlargeAround(row:int):void
+        /**
+         * Reads the box of one row again, and enlarges the nodes' boxes around it to contain it, unless the tree is stale. These never get smaller.
+         *
+         * @param points as in build
+         * @param sizes as in build
+         */
+        public function enlargeAround(row:int, points:Points, sizes:Extents):void
         {
             if (isStale)
             {
@@ -196,7 +195,7 @@ package starlogo.queries.trees
             var slot:int = _slots[row];
             var leaf:int = leafOf(row);
             var node:int = leaf;
-            boundRow(slot);
+            boundRow(slot, points, sizes);
             // if a box does not grow, the boxes around it do not grow either
             while (node > 0 && expandToContain(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
@@ -227,12 +226,12 @@ package starlogo.queries.trees
             }
         }
 
-        private function boundAll():void
+        private function boundAll(points:Points, sizes:Extents):void
         {
             for (var slot:int = 0; slot < count; slot++)
             {
                 _slots[rows[slot]] = slot;
-                boundRow(slot);
+                boundRow(slot, points, sizes);
             }
             for (var leaf:int = 2 * firstLeaf - 1; leaf >= firstLeaf; leaf--)
             {
@@ -260,24 +259,24 @@ package starlogo.queries.trees
         }
 
         // Reads the box of a slot's row.
-        private function boundRow(slot:int):void
+        private function boundRow(slot:int, points:Points, sizes:Extents):void
         {
             var row:int = rows[slot];
             var box:int = PER_BOX * slot;
-            var x:Number = _middles.x[row];
-            var y:Number = _middles.y[row];
-            var z:Number = _middles.z[row];
+            var x:Number = points.x[row];
+            var y:Number = points.y[row];
+            var z:Number = points.z[row];
             var halfX:Number = 0;
             var halfY:Number = 0;
             var halfZ:Number = 0;
-            if (_halves != null)
+            if (sizes != null)
             {
-                halfX = _halves.halfX[row];
-                halfY = _halves.halfY[row];
-                halfZ = _halves.halfZ[row];
+                halfX = sizes.halfX[row];
+                halfY = sizes.halfY[row];
+                halfZ = sizes.halfZ[row];
                 var halves:Number = halfX + halfY + halfZ;
                 maxExtent = 2 * halves > maxExtent ? 2 * halves : maxExtent;
-                var slack:Number = slackOf(x, y, z, halves, _halves.distanceFromPlace(row));
+                var slack:Number = slackOf(x, y, z, halves, sizes.distanceFromPlace(row));
                 halfX += slack;
                 halfY += slack;
                 halfZ += slack;

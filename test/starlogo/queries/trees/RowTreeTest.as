@@ -118,7 +118,7 @@ package starlogo.queries.trees
             _sizes.y[row] = coordinate(world);
             _sizes.z[row] = coordinate(world);
             var wasStale:Boolean = _tree.isStale;
-            _tree.enlargeAround(row);
+            _tree.enlargeAround(row, _sizes, _sizes);
             assertTrue(_rows.length + " rows are not worn by one move", !_tree.isStale || wasStale || _rows.length < 60);
             if (_tree.isStale)
             {

@@ -43,9 +43,11 @@ package starlogo.hierarchy
         private var _splitByMean:Boolean;
         private var _partition:TreePartition;
 
-        // The nodes still to visit, the next one last, and for each, whether it is a leaf or below one.
+        // The nodes still to visit, the next one last. Those below a node come before those beside it.
         private var _waiting:Vector.<int> = new Vector.<int>();
-        private var _areLeavesOrBelow:Vector.<Boolean> = new Vector.<Boolean>();
+
+        // The level of the leaf that is visited, or below which nodes are visited; int.MAX_VALUE above the leaves.
+        private var _leafLevel:int = int.MAX_VALUE;
 
         // Whether the next node is being divided.
         private var _isDividing:Boolean = false;
@@ -92,7 +94,6 @@ package starlogo.hierarchy
             _tree.beginNodes();
             _tree.enclose(0, _partition.allExtents);
             _waiting.push(0);
-            _areLeavesOrBelow.push(false);
         }
 
         private function visitSome():Boolean
@@ -115,32 +116,38 @@ package starlogo.hierarchy
         private function goOnFrom(node:int):void
         {
             var child:int = _tree.left[node];
-            var isLeafOrBelow:Boolean = _areLeavesOrBelow.pop();
             _waiting.pop();
             if (child > 0)
             {
                 _waiting.push(child + 1, child);
-                _areLeavesOrBelow.push(isLeafOrBelow, isLeafOrBelow);
             }
         }
 
         // Begins with a node. Returns whether it is to be divided.
         private function beginNode(node:int):Boolean
         {
-            var top:int = _waiting.length - 1;
-            _areLeavesOrBelow[top] ||= !isSplit(node);
-            if (_areLeavesOrBelow[top] && !isLarge(_tree, node))
+            if (_tree.levelOf(node) <= _leafLevel)
+            {
+                _leafLevel = isSplit(node) ? int.MAX_VALUE : _tree.levelOf(node);
+            }
+            if (isLeafOrBelow(node) && !isLarge(_tree, node))
             {
                 return false;
             }
             var axis:int = longestAxisOf(node);
             var doubledSplit:Number = 2 * _tree.boxes[6 * node + axis];
-            if (_splitByMean && !_areLeavesOrBelow[top])
+            if (_splitByMean && !isLeafOrBelow(node))
             {
                 doubledSplit = _partition.doubledMeanOf(_tree.firstPrimitive[node], _tree.endPrimitive[node], axis);
             }
             _partition.beginDivision(_tree.firstPrimitive[node], _tree.endPrimitive[node], axis, doubledSplit);
             return true;
+        }
+
+        // Whether the visited node is a leaf of the thesis, or below one.
+        private function isLeafOrBelow(node:int):Boolean
+        {
+            return _tree.levelOf(node) >= _leafLevel;
         }
 
         // Whether the thesis splits a node.
@@ -166,8 +173,7 @@ package starlogo.hierarchy
         // Continues with a node. Returns whether more remains to do.
         private function advance(node:int):Boolean
         {
-            var top:int = _waiting.length - 1;
-            if (_areLeavesOrBelow[top] && isHalvedOnLevel(_tree.levelOf(node)))
+            if (isLeafOrBelow(node) && isHalvedOnLevel(_tree.levelOf(node)))
             {
                 halve(node);
                 return false;
@@ -187,7 +193,7 @@ package starlogo.hierarchy
                 return true;
             }
             // All centres are in one place.
-            _areLeavesOrBelow[top] = true;
+            _leafLevel = Math.min(_leafLevel, _tree.levelOf(node));
             if (isLarge(_tree, node))
             {
                 halve(node);
@@ -205,7 +211,7 @@ package starlogo.hierarchy
         // Makes the children of a node, whose primitives are divided.
         private function makeChildren(node:int):void
         {
-            var child:int = _tree.addChildren(node, _partition.axis, _partition.splitIndex, _areLeavesOrBelow[_waiting.length - 1]);
+            var child:int = _tree.addChildren(node, _partition.axis, _partition.splitIndex, isLeafOrBelow(node));
             _tree.enclose(child, _partition.leftExtents);
             _tree.enclose(child + 1, _partition.rightExtents);
         }

@@ -13,8 +13,8 @@ package starlogo.solid
      *
      * <p>In the space of tree a, its own boxes are axis-aligned, and all boxes of tree b have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
-     * two nodes overlap, the larger one is divided, or both if the overlap is deep, as in §6.3.4 of the thesis. The child nearer to the other
-     * node is visited first.</p>
+     * two nodes overlap, the larger one is divided. If the boxes of leaves are tested and the overlap is deep, both are, as in §6.3.4 of the thesis. The
+     * child nearer to the other node is visited first.</p>
      *
      * <p>The axes of the edges are tried only for pairs of leaves whose boxes are tested. Higher up, the next boxes separate most of what these axes would
      * separate (van den Bergen, "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
@@ -89,7 +89,7 @@ package starlogo.solid
                 result = ONLY_ROOTS;
                 if (!isLeafA || !isLeafB)
                 {
-                    top = pushChildren(trees, a, isLeafA, b, isLeafB, top);
+                    top = pushChildren(trees, a, isLeafA, b, isLeafB, kernel == null && isDeep(pair), top);
                 }
                 else if (areBoxesTested || kernel.areTouching(a, b))
                 {
@@ -101,30 +101,24 @@ package starlogo.solid
         }
 
         // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(trees:TreePair, a:int, isLeafA:Boolean, b:int, isLeafB:Boolean, top:int):int
+        private function pushChildren(trees:TreePair, a:int, isLeafA:Boolean, b:int, isLeafB:Boolean, dividesBoth:Boolean, top:int):int
         {
-            var pair:BoxPair = _pair;
             var stack:Vector.<int> = _nodes;
-            var dividesBoth:Boolean = isDeep(pair);
             var dividesA:Boolean = dividesBoth ? !isLeafA : trees.dividesA(a, isLeafA, b, isLeafB);
             var dividesB:Boolean = dividesBoth ? !isLeafB : !dividesA;
             var nearer:int;
             if (dividesA)
             {
-                nearer = nearerChildOfA(pair, trees.a, a);
+                nearer = nearerChildOfA(_pair, trees.a, a);
                 // the other child: the numbers of both add up to 2 * left + 1
                 stack[top] = 2 * trees.a.left[a] + 1 - nearer;
                 stack[top + 1] = b;
                 top += 2;
-                if (dividesB)
-                {
-                    beginPairAt(pair, trees.a.boxes, 6 * nearer, 6 * a);
-                }
                 a = nearer;
             }
             if (dividesB)
             {
-                nearer = nearerChildOfB(pair, trees.pose.placement, trees.b, b);
+                nearer = nearerChildOfB(_pair, trees.pose.placement, trees.b, b);
                 stack[top] = a;
                 stack[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
                 top += 2;
@@ -156,14 +150,6 @@ package starlogo.solid
             var axis:int = tree.axisOf(node);
             var along:Number = axis == 0 ? pair.offsetX : (axis == 1 ? pair.offsetY : pair.offsetZ);
             return along > 0 ? tree.left[node] + 1 : tree.left[node];
-        }
-
-        // Makes the vector of a pair begin at another node of tree a than before. The boxes' numbers begin at the two indices.
-        private static function beginPairAt(pair:BoxPair, boxes:Vector.<Number>, node:int, before:int):void
-        {
-            pair.offsetX += boxes[before] - boxes[node];
-            pair.offsetY += boxes[int(before + 1)] - boxes[int(node + 1)];
-            pair.offsetZ += boxes[int(before + 2)] - boxes[int(node + 2)];
         }
 
         // Returns the child of a node of tree b that is nearer to a's node.

@@ -68,10 +68,6 @@ package starlogo.convex
             }
             // the points of the shapes need the radii too
             var gap:CoreGap = _result.gap;
-            if (!(_result.distance > 0))
-            {
-                gap.x = gap.y = gap.z = 0;
-            }
             gap.radiusA = _cores.first.radius;
             gap.radiusB = _cores.second.radius;
             out.setFromGap(gap);

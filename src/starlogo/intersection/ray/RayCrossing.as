@@ -10,17 +10,11 @@ package starlogo.intersection.ray
         /** A side: the ray begins inside of the shape. */
         public static const INSIDE:int = 2;
 
-        /** A side: the ray enters the shape. */
+        /** A side: the ray enters the shape, or crosses a triangle from the side from which its corners are counter-clockwise. */
         public static const ENTERS:int = 1;
 
-        /** A side: the ray leaves the shape. */
+        /** A side: the ray leaves the shape, or crosses a triangle from the other side. */
         public static const LEAVES:int = -1;
-
-        /** A side: the ray crosses a triangle from the side from which its corners are counter-clockwise. */
-        public static const FRONT:int = 3;
-
-        /** A side: the ray crosses a triangle from the other side. */
-        public static const BACK:int = -3;
 
         /** A side: the ray runs along a triangle, from its distance to its end. */
         public static const EDGE_ON:int = 0;
@@ -36,7 +30,7 @@ package starlogo.intersection.ray
         /** The number of the triangle there, as the model counts them. It is -1 if no triangle decides, or if the ray begins inside. */
         public var triangle:int = -1;
 
-        /** INSIDE, ENTERS or LEAVES. For triangles INSIDE, FRONT, BACK or EDGE_ON. A ray's first entry has no side, rounding and end. */
+        /** INSIDE, ENTERS, LEAVES or, at a triangle only, EDGE_ON. A ray's first entry has no side, rounding and end. */
         public var side:int = 0;
 
         /** How far the distance may be wrong because of rounding. */

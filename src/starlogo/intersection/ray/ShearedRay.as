@@ -225,7 +225,7 @@ package starlogo.intersection.ray
             // along the ray.
             var depth:Number = Math.abs(_inverseSpeed) * (Math.abs(aW - bW) + Math.abs(bW - cW));
             out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * tolerance * (1 + width * depth / Math.abs(sum));
-            out.side = _inverseSpeed * sum > 0 ? RayCrossing.FRONT : RayCrossing.BACK;
+            out.side = _inverseSpeed * sum > 0 ? RayCrossing.ENTERS : RayCrossing.LEAVES;
             return true;
         }
 

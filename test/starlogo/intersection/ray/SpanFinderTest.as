@@ -211,12 +211,12 @@ package starlogo.intersection.ray
             {
                 assertThrows(ArgumentError, /needs a direction/, ray.aim, new Vector3D(), direction);
             }
-            assertEquals("as it was", 1, ray.directionY);
+            assertEquals("as it was", 1, ray.direction.y);
             for each (var length:Number in [5e-324, 1e-310, 1e-160, 1, 1e160, 1.7e308])
             {
                 ray.aim(new Vector3D(), new Vector3D(length, -length, 0));
-                assertTrue("length " + length, Math.abs(ray.directionX - Math.SQRT1_2) < 1e-15 && Math.abs(ray.directionY + Math.SQRT1_2) < 1e-15);
-                assertEquals(0, ray.directionZ);
+                assertTrue("length " + length, Math.abs(ray.direction.x - Math.SQRT1_2) < 1e-15 && Math.abs(ray.direction.y + Math.SQRT1_2) < 1e-15);
+                assertEquals(0, ray.direction.z);
             }
         }
 
@@ -253,7 +253,7 @@ package starlogo.intersection.ray
 
         private static function assertNormal(message:String, entry:RayCrossing, structure:BoundingStructure, origin:Vector3D, direction:Vector3D):void
         {
-            var normal:Vector3D = new Vector3D(entry.normalX, entry.normalY, entry.normalZ);
+            var normal:Vector3D = new Vector3D(entry.normal.x, entry.normal.y, entry.normal.z);
             assertTrue(message + ": length of " + normal, Math.abs(normal.length - 1) < 1e-9);
             assertTrue(message + ": against the ray", normal.dotProduct(direction) < 1e-6);
             if (entry.distance > 0)

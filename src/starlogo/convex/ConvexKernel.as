@@ -213,9 +213,9 @@ package starlogo.convex
             var depth:Number = _cores.first.radius + _cores.second.radius - _result.axis.separation;
             out.depth = depth > 0 ? depth : 0;
             _pointFinder.find(_cores, out);
-            out.x += _cores.second.x;
-            out.y += _cores.second.y;
-            out.z += _cores.second.z;
+            out.x += _cores.second.origin.x;
+            out.y += _cores.second.origin.y;
+            out.z += _cores.second.origin.z;
             if (_cores.isSwapped)
             {
                 out.swap(motion);

@@ -124,9 +124,9 @@ package starlogo.intersection
         {
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            gap.pointX = start.x + fraction * (end.x - start.x);
-            gap.pointY = start.y + fraction * (end.y - start.y);
-            gap.pointZ = start.z + fraction * (end.z - start.z);
+            gap.point.x = start.x + fraction * (end.x - start.x);
+            gap.point.y = start.y + fraction * (end.y - start.y);
+            gap.point.z = start.z + fraction * (end.z - start.z);
         }
 
         // The axis of a sphere is its centre, a segment without length.
@@ -141,9 +141,9 @@ package starlogo.intersection
             segments.findClosest(out);
             out.squaredLength = out.x * out.x + out.y * out.y + out.z * out.z;
             out.closingSpeedTimesLength = -(out.x * motion.x + out.y * motion.y + out.z * motion.z);
-            out.pointX = start.x + segments.fractionOfU * segments.uX;
-            out.pointY = start.y + segments.fractionOfU * segments.uY;
-            out.pointZ = start.z + segments.fractionOfU * segments.uZ;
+            out.point.x = start.x + segments.fractionOfU * segments.uX;
+            out.point.y = start.y + segments.fractionOfU * segments.uY;
+            out.point.z = start.z + segments.fractionOfU * segments.uZ;
             out.radiusB = b.radius;
             out.size = Math.abs(segments.uX) + Math.abs(segments.uY) + Math.abs(segments.uZ) + (Math.abs(segments.vX) + Math.abs(segments.vY) + Math.abs(segments.vZ))
                 + (out.radiusA + out.radiusB);
@@ -165,9 +165,7 @@ package starlogo.intersection
             axis = box.axisZ;
             place.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             measureToBox(place, box, motion, out);
-            out.pointX = center.x;
-            out.pointY = center.y;
-            out.pointZ = center.z;
+            out.point.copyFrom(center);
             out.radiusA = sphere.radius;
             out.size = box.halfX + box.halfY + box.halfZ + sphere.radius;
         }

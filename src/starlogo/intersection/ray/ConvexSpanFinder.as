@@ -37,7 +37,7 @@ package starlogo.intersection.ray
         {
             structure.setShape(_shape);
             // the part of the line that may be inside
-            var closestDistance:Number = (_shape.x - ray.origin.x) * ray.direction.x + (_shape.y - ray.origin.y) * ray.direction.y + (_shape.z - ray.origin.z) * ray.direction.z;
+            var closestDistance:Number = (_shape.origin.x - ray.origin.x) * ray.direction.x + (_shape.origin.y - ray.origin.y) * ray.direction.y + (_shape.origin.z - ray.origin.z) * ray.direction.z;
             var reach:Number = 2 * (_shape.boundingRadius + _shape.radius) + Number.MIN_VALUE;
             var near:Number = meetFrom(ray, closestDistance - reach, 2 * reach);
             if (near == Infinity)

@@ -141,11 +141,11 @@ package starlogo.intersection
             segments.findClosest(out);
             out.squaredLength = out.x * out.x + out.y * out.y + out.z * out.z;
             out.closingSpeedTimesLength = -(out.x * motion.x + out.y * motion.y + out.z * motion.z);
-            out.point.x = start.x + segments.fractionOfU * segments.uX;
-            out.point.y = start.y + segments.fractionOfU * segments.uY;
-            out.point.z = start.z + segments.fractionOfU * segments.uZ;
+            out.point.x = start.x + segments.fractionOfU * segments.u.x;
+            out.point.y = start.y + segments.fractionOfU * segments.u.y;
+            out.point.z = start.z + segments.fractionOfU * segments.u.z;
             out.radiusB = b.radius;
-            out.size = Math.abs(segments.uX) + Math.abs(segments.uY) + Math.abs(segments.uZ) + (Math.abs(segments.vX) + Math.abs(segments.vY) + Math.abs(segments.vZ))
+            out.size = Math.abs(segments.u.x) + Math.abs(segments.u.y) + Math.abs(segments.u.z) + (Math.abs(segments.v.x) + Math.abs(segments.v.y) + Math.abs(segments.v.z))
                 + (out.radiusA + out.radiusB);
         }
 
@@ -178,13 +178,13 @@ package starlogo.intersection
             segment.move(box, motion);
             segment.findClosest(box);
             var fraction:Number = segment.fraction;
-            place.x = segment.x + fraction * segment.alongX;
-            place.y = segment.y + fraction * segment.alongY;
-            place.z = segment.z + fraction * segment.alongZ;
+            place.x = segment.start.x + fraction * segment.along.x;
+            place.y = segment.start.y + fraction * segment.along.y;
+            place.z = segment.start.z + fraction * segment.along.z;
             measureToBox(place, box, motion, out);
             setPoint(capsule, fraction, out);
             out.radiusA = capsule.radius;
-            out.size = Math.abs(segment.alongX) + Math.abs(segment.alongY) + Math.abs(segment.alongZ) + box.halfX + box.halfY + box.halfZ + capsule.radius;
+            out.size = Math.abs(segment.along.x) + Math.abs(segment.along.y) + Math.abs(segment.along.z) + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }
 
         // Computes the gap between a place and the nearest point of a box, its squared length, and how a motion of the place closes it.

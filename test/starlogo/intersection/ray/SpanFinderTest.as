@@ -19,6 +19,7 @@ package starlogo.intersection.ray
     /** Rays against spheres, capsules, boxes and hulls. */
     public class SpanFinderTest
     {
+        private static const CONVEX:ConvexSpanFinder = new ConvexSpanFinder();
         private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX, BoundingStructure.HULL];
 
         [Test]
@@ -253,7 +254,7 @@ package starlogo.intersection.ray
 
         private static function assertNormal(message:String, entry:RayCrossing, structure:BoundingStructure, origin:Vector3D, direction:Vector3D):void
         {
-            var normal:Vector3D = new Vector3D(entry.normal.x, entry.normal.y, entry.normal.z);
+            var normal:Vector3D = entry.normal.clone();
             assertTrue(message + ": length of " + normal, Math.abs(normal.length - 1) < 1e-9);
             assertTrue(message + ": against the ray", normal.dotProduct(direction) < 1e-6);
             if (entry.distance > 0)
@@ -276,7 +277,7 @@ package starlogo.intersection.ray
         private static function enters(ray:Ray, structure:BoundingStructure, out:RayCrossing):Boolean
         {
             var span:RaySpan = new RaySpan();
-            return SpanFinder.find(ray, structure, new ConvexSpanFinder(), span) && out.setToEntry(ray, span);
+            return SpanFinder.find(ray, structure, CONVEX, span) && out.setToEntry(ray, span);
         }
 
         private static function rayOf(origin:Vector3D, direction:Vector3D):Ray

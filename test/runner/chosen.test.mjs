@@ -179,7 +179,7 @@ test('where no test uses a source itself, the tests of its package are chosen to
 	assert.deepEqual([...farther], ['a.BesideTest']);
 	assert.deepEqual(said, ['classes that use a.Inner, directly or through other files: TableTest', 'classes of tests in the package of a.Inner: BesideTest']);
 	assert.deepEqual([...choose('Table', classes, sources).tests.keys()], ['a.TableTest']);
-	for (const name of ['KernelsAgreeTest', 'HullPairsTest', 'PairContactTest']) assert.ok(found('GapFinder').includes(name), name);
+	for (const name of ['KernelsAgreeTest', 'HullPairsTest', 'PairContactTest']) assert.ok(found('RoundKernel').includes(name), name);
 });
 
 test('all other classes that use a source by any files between have tests farther off, the nearest first', () => {

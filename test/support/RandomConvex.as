@@ -73,9 +73,9 @@ package support
         public static function moved(shape:ConvexShape, x:Number, y:Number, z:Number):ConvexShape
         {
             var out:ConvexShape = new ConvexShape();
-            out.x = shape.x + x;
-            out.y = shape.y + y;
-            out.z = shape.z + z;
+            out.origin.x = shape.origin.x + x;
+            out.origin.y = shape.origin.y + y;
+            out.origin.z = shape.origin.z + z;
             out.radius = shape.radius;
             out.margin = shape.margin;
             out.boundingRadius = shape.boundingRadius;
@@ -93,7 +93,7 @@ package support
             var most:Number = -Infinity;
             for (var i:int = 0; i < shape.pointsEnd; i += 3)
             {
-                most = Math.max(most, direction.x * (shape.x + shape.points[i]) + direction.y * (shape.y + shape.points[i + 1]) + direction.z * (shape.z + shape.points[i + 2]));
+                most = Math.max(most, direction.x * (shape.origin.x + shape.points[i]) + direction.y * (shape.origin.y + shape.points[i + 1]) + direction.z * (shape.origin.z + shape.points[i + 2]));
             }
             return most + shape.radius * direction.length;
         }
@@ -129,7 +129,7 @@ package support
             {
                 most = Math.max(most, direction.x * shape.points[i] + direction.y * shape.points[i + 1] + direction.z * shape.points[i + 2]);
             }
-            return direction.x * (point.x - shape.x) + direction.y * (point.y - shape.y) + direction.z * (point.z - shape.z) - most - shape.radius;
+            return direction.x * (point.x - shape.origin.x) + direction.y * (point.y - shape.origin.y) + direction.z * (point.z - shape.origin.z) - most - shape.radius;
         }
 
         private function drawHull(shape:ConvexShape, at:Vector3D, axes:Vector.<Vector3D>, extents:Array, family:int):void

@@ -62,7 +62,7 @@ package starlogo.bounding
         private static var sBox:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The limits of coordinates and lengths. The tests of pairs multiply four of them. Contacts multiply six, so they need lengths from 1e-53 to
-        // 1e51, and those of a game are.
+        // 1e50, and those of a game are.
         private static const LARGEST:Number = 1e70;
         private static const SMALLEST:Number = 1e-70;
 

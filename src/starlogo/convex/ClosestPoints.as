@@ -50,12 +50,12 @@ package starlogo.convex
                 y /= length;
                 z /= length;
             }
-            a.x = gap.pointX - atA * x;
-            a.y = gap.pointY - atA * y;
-            a.z = gap.pointZ - atA * z;
-            b.x = gap.pointX - atB * x;
-            b.y = gap.pointY - atB * y;
-            b.z = gap.pointZ - atB * z;
+            a.x = gap.point.x - atA * x;
+            a.y = gap.point.y - atA * y;
+            a.z = gap.point.z - atA * z;
+            b.x = gap.point.x - atB * x;
+            b.y = gap.point.y - atB * y;
+            b.z = gap.point.z - atB * z;
         }
 
         /**

@@ -109,9 +109,9 @@ package starlogo.convex
             depth = depth > 0 ? depth : 0;
             forget();
             var back:Number = gap.radiusA - depth / 2;
-            x = gap.pointX + (motion.startX + time * motion.x) - back * normalX;
-            y = gap.pointY + (motion.startY + time * motion.y) - back * normalY;
-            z = gap.pointZ + (motion.startZ + time * motion.z) - back * normalZ;
+            x = gap.point.x + (motion.startX + time * motion.x) - back * normalX;
+            y = gap.point.y + (motion.startY + time * motion.y) - back * normalY;
+            z = gap.point.z + (motion.startZ + time * motion.z) - back * normalZ;
         }
 
         /** Sets the normal without normalising it. The function is short so that V8 inlines it and allocates no objects for the Numbers. */

@@ -68,10 +68,6 @@ package starlogo.convex
             }
             // the points of the shapes need the radii too
             var gap:CoreGap = _result.gap;
-            if (!(_result.distance > 0))
-            {
-                gap.x = gap.y = gap.z = 0;
-            }
             gap.radiusA = _cores.first.radius;
             gap.radiusB = _cores.second.radius;
             out.setFromGap(gap);
@@ -217,9 +213,9 @@ package starlogo.convex
             var depth:Number = _cores.first.radius + _cores.second.radius - _result.axis.separation;
             out.depth = depth > 0 ? depth : 0;
             _pointFinder.find(_cores, out);
-            out.x += _cores.second.x;
-            out.y += _cores.second.y;
-            out.z += _cores.second.z;
+            out.x += _cores.second.origin.x;
+            out.y += _cores.second.origin.y;
+            out.z += _cores.second.origin.z;
             if (_cores.isSwapped)
             {
                 out.swap(motion);

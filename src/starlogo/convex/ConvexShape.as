@@ -38,9 +38,7 @@ package starlogo.convex
         public var coreKind:int = POINT;
 
         /** The origin of the points. */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        public var origin:Vector3D = new Vector3D();
 
         /** The radius around the core. A new core has none. */
         public var radius:Number = 0;
@@ -94,7 +92,7 @@ package starlogo.convex
         /** Sets the core to a point. */
         public function setPoint(at:Vector3D):void
         {
-            setOrigin(at);
+            origin.copyFrom(at);
             reset(POINT, 3, NONE, NONE);
             points[0] = points[1] = points[2] = 0;
             boundingRadius = 0;
@@ -103,12 +101,12 @@ package starlogo.convex
         /** Sets the core to a segment. */
         public function setSegment(start:Vector3D, end:Vector3D):void
         {
-            setOrigin(start);
+            origin.copyFrom(start);
             reset(SEGMENT, 6, NONE, SEGMENT_EDGES);
             points[0] = points[1] = points[2] = 0;
-            points[3] = end.x - x;
-            points[4] = end.y - y;
-            points[5] = end.z - z;
+            points[3] = end.x - start.x;
+            points[4] = end.y - start.y;
+            points[5] = end.z - start.z;
             setBoundingRadius();
         }
 
@@ -120,7 +118,7 @@ package starlogo.convex
          */
         public function setBox(center:Vector3D, axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D, halves:Vector3D):void
         {
-            setOrigin(center);
+            origin.copyFrom(center);
             reset(BOX, 24, BOX_FACES, BOX_EDGES);
             boundingRadius = 2 * (halves.x + halves.y + halves.z);
             // half of each edge first, in the place of the corner at its end
@@ -143,9 +141,12 @@ package starlogo.convex
         /** Sets the core to a triangle: nine numbers of a list, from an index on. */
         public function setTriangle(corners:Vector.<Number>, at:int):void
         {
-            x = corners[at];
-            y = corners[int(at + 1)];
-            z = corners[int(at + 2)];
+            var x:Number = corners[at];
+            var y:Number = corners[int(at + 1)];
+            var z:Number = corners[int(at + 2)];
+            origin.x = x;
+            origin.y = y;
+            origin.z = z;
             reset(TRIANGLE, 9, TRIANGLE_FACES, TRIANGLE_EDGES);
             var p:Vector.<Number> = points;
             p[0] = p[1] = p[2] = 0;
@@ -168,7 +169,7 @@ package starlogo.convex
          */
         public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, isRadiusKnown:Boolean = false):void
         {
-            setOrigin(center);
+            origin.copyFrom(center);
             reset(HULL, points.length, faces, edges);
             this.points = points;
             if (!isRadiusKnown)
@@ -256,13 +257,6 @@ package starlogo.convex
             }
             out.min = low;
             out.max = high;
-        }
-
-        private function setOrigin(at:Vector3D):void
-        {
-            x = at.x;
-            y = at.y;
-            z = at.z;
         }
 
         private function reset(coreKind:int, pointsEnd:int, faces:Vector.<int>, edges:Vector.<int>):void

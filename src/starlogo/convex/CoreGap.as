@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import flash.geom.Vector3D;
+
     /**
      * The gap between the closest points of two cores, as a record. A core is a sphere's centre, a capsule's axis, or a whole box, triangle or hull.
      * Two shapes touch if the gap between their cores is at most as long as their radii together, except for the margins of Touching. All numbers
@@ -15,9 +17,7 @@ package starlogo.convex
         public var z:Number = 0;
 
         /** The closest point of a's core, where a is stored, without its motion. */
-        public var pointX:Number = 0;
-        public var pointY:Number = 0;
-        public var pointZ:Number = 0;
+        public var point:Vector3D = new Vector3D();
 
         /** The radius around a's core. */
         public var radiusA:Number = 0;
@@ -25,7 +25,7 @@ package starlogo.convex
         /** The radius around b's core. */
         public var radiusB:Number = 0;
 
-        /** The squared length of the vector. At a box it is more precise than the vector. GapFinder alone writes it, and the two below. */
+        /** The squared length of the vector. At a box it is more precise than the vector. RoundKernel alone writes it, and the two below. */
         public var squaredLength:Number = 0;
 
         /** How fast the motion closes the gap, times the length of the gap. */

@@ -1,5 +1,6 @@
 package starlogo.convex
 {
+    import starlogo.geometry.compareVectors;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -38,9 +39,9 @@ package starlogo.convex
             isSwapped = isAfter(a, b);
             first = isSwapped ? b : a;
             second = isSwapped ? a : b;
-            x = first.x - second.x;
-            y = first.y - second.y;
-            z = first.z - second.z;
+            x = first.origin.x - second.origin.x;
+            y = first.origin.y - second.origin.y;
+            z = first.origin.z - second.origin.z;
             motionX = motionY = motionZ = 0;
             timeLeft = 0;
             searchLimit = Infinity;
@@ -69,20 +70,16 @@ package starlogo.convex
         {
             var sign:int = isSwapped ? -1 : 1;
             var time:Number = motion.time;
-            x = first.x - second.x + sign * motion.startX + time * motionX;
-            y = first.y - second.y + sign * motion.startY + time * motionY;
-            z = first.z - second.z + sign * motion.startZ + time * motionZ;
+            x = first.origin.x - second.origin.x + sign * motion.startX + time * motionX;
+            y = first.origin.y - second.origin.y + sign * motion.startY + time * motionY;
+            z = first.origin.z - second.origin.z + sign * motion.startZ + time * motionZ;
             timeLeft = motion.latestTime - time;
         }
 
         // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.
         private static function isAfter(shape:ConvexShape, other:ConvexShape):Boolean
         {
-            var order:Number = shape.x != other.x ? shape.x - other.x
-                : shape.y != other.y ? shape.y - other.y
-                : shape.z != other.z ? shape.z - other.z
-                : shape.radius != other.radius ? shape.radius - other.radius
-                : shape.pointsEnd - other.pointsEnd;
+            var order:Number = compareVectors(shape.origin, other.origin) || shape.radius - other.radius || shape.pointsEnd - other.pointsEnd;
             for (var i:int = 0; order == 0 && i < shape.pointsEnd; i++)
             {
                 order = shape.points[i] - other.points[i];

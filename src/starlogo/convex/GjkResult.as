@@ -12,7 +12,7 @@ package starlogo.convex
 
         /**
          * The gap between the closest points. Its a is the pair's first core, and its b the second one. The closest point is where the first core is
-         * stored, without its motion. If the cores overlap, the vector means nothing.
+         * stored, without its motion. If the cores overlap, the vector is 0.
          */
         public var gap:CoreGap = new CoreGap();
 

@@ -18,13 +18,9 @@ package starlogo.convex
      */
     internal final class SatPenetration
     {
-        // How many numbers describe an edge. 0 to 2: its vector, times the shape's scale. 3 to 5 and 6 to 8: a normal of each of its two faces, as long
-        // as this vector times the height of the face's other point over it; 0 for bare edges.
+        // How many numbers describe an edge. 0 to 2: its vector. 3 to 5 and 6 to 8: a normal of each of its two faces, as long as this vector times
+        // the height of the face's other point over it; 0 for bare edges.
         private static const PER_EDGE:int = 9;
-
-        // An axis across two vectors is as long as their product, and the products of such axes have to be finite. So vectors of cores that are larger
-        // than this are shortened.
-        private static const LARGE:Number = 1e40;
 
         // A product whose square is smaller has lost digits. The edges of a structure as long as contacts need have products far above it.
         private static const SMALL:Number = 1e-290;
@@ -77,7 +73,6 @@ package starlogo.convex
         {
             var p:Vector.<Number> = shape.points;
             var faces:Vector.<int> = shape.faces;
-            var scale:Number = scaleOf(shape);
             for (var f:int = 0; f < faces.length; f += 3)
             {
                 var i:int = faces[f];
@@ -89,15 +84,9 @@ package starlogo.convex
                 var vx:Number = p[k] - p[i];
                 var vy:Number = p[int(k + 1)] - p[int(i + 1)];
                 var vz:Number = p[int(k + 2)] - p[int(i + 2)];
-                findAcross(scale * ux, scale * uy, scale * uz, scale * vx, scale * vy, scale * vz, _axis);
+                findAcross(ux, uy, uz, vx, vy, vz, _axis);
                 considerAxis(_axis, cores, out);
             }
-        }
-
-        // The factor on the edges of a shape.
-        private static function scaleOf(shape:ConvexShape):Number
-        {
-            return shape.boundingRadius > LARGE ? 1 / shape.boundingRadius : 1;
         }
 
         // Finds the axis across two vectors. It is 0 if they are parallel: then a face has no area, and two edges have no common perpendicular.
@@ -184,10 +173,9 @@ package starlogo.convex
             var edges:Vector.<int> = shape.edges;
             var from:int = edges[edge];
             var end:int = edges[int(edge + 1)];
-            var scale:Number = scaleOf(shape);
-            var x:Number = scale * (p[end] - p[from]);
-            var y:Number = scale * (p[int(end + 1)] - p[int(from + 1)]);
-            var z:Number = scale * (p[int(end + 2)] - p[int(from + 2)]);
+            var x:Number = p[end] - p[from];
+            var y:Number = p[int(end + 1)] - p[int(from + 1)];
+            var z:Number = p[int(end + 2)] - p[int(from + 2)];
             out[to] = x;
             out[int(to + 1)] = y;
             out[int(to + 2)] = z;

@@ -120,20 +120,20 @@ package starlogo.convex
         {
             var points:Vector.<Number> = cores.first.points;
             var weights:Vector.<Number> = nearest.weights;
-            var pointX:Number = 0;
-            var pointY:Number = 0;
-            var pointZ:Number = 0;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var fraction:Number = weights[i];
                 var at:int = _ofFirst[i];
-                pointX += fraction * points[at];
-                pointY += fraction * points[int(at + 1)];
-                pointZ += fraction * points[int(at + 2)];
+                x += fraction * points[at];
+                y += fraction * points[int(at + 1)];
+                z += fraction * points[int(at + 2)];
             }
-            out.pointX = pointX + cores.first.x;
-            out.pointY = pointY + cores.first.y;
-            out.pointZ = pointZ + cores.first.z;
+            out.point.x = x + cores.first.origin.x;
+            out.point.y = y + cores.first.origin.y;
+            out.point.z = z + cores.first.origin.z;
         }
 
         // Finds the point of a tetrahedron that is nearest to the origin: the origin itself if it is inside, or a point of the faces that it is beyond. The

@@ -96,7 +96,7 @@ package starlogo.convex
         public function timeOfEntry(shape:ConvexShape, motion:RelativeMotion):Number
         {
             shape.project(normal, _ofShape);
-            var projection:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
+            var projection:Number = normal.x * shape.origin.x + normal.y * shape.origin.y + normal.z * shape.origin.z;
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             // how far in front of the plane all of the shape is, and how far behind
             var above:Number = projection - max + _ofShape.min - cullDistance;
@@ -113,7 +113,7 @@ package starlogo.convex
          */
         public function areApart(shape:ConvexShape, motion:RelativeMotion):Boolean
         {
-            var size:Number = shape.boundingRadius + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
+            var size:Number = shape.boundingRadius + Math.abs(shape.origin.x) + Math.abs(shape.origin.y) + Math.abs(shape.origin.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             cullDistance = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
             return timeOfEntry(shape, motion) > motion.latestTime;
@@ -150,7 +150,7 @@ package starlogo.convex
                 return false;
             }
             shape.project(normal, _ofShape);
-            var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
+            var front:Number = normal.x * (shape.origin.x + motion.startX) + normal.y * (shape.origin.y + motion.startY) + normal.z * (shape.origin.z + motion.startZ)
                 + motion.time * speed + _ofShape.min - shape.radius;
             return offset - front <= contact.depth + depthTolerance;
         }
@@ -214,9 +214,9 @@ package starlogo.convex
                     count++;
                 }
             }
-            out.x = shape.x + x / count - shape.radius * normal.x;
-            out.y = shape.y + y / count - shape.radius * normal.y;
-            out.z = shape.z + z / count - shape.radius * normal.z;
+            out.x = shape.origin.x + x / count - shape.radius * normal.x;
+            out.y = shape.origin.y + y / count - shape.radius * normal.y;
+            out.z = shape.origin.z + z / count - shape.radius * normal.z;
         }
     }
 }

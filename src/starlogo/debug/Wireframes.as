@@ -177,7 +177,7 @@ package starlogo.debug
         {
             var shape:ConvexShape = new ConvexShape();
             structure.setShape(shape);
-            var center:Vector3D = new Vector3D(shape.x, shape.y, shape.z);
+            var center:Vector3D = shape.origin;
             for (var i:int = 0; i < shape.edges.length; i += 4)
             {
                 drawLine(lines, center.add(vertexAt(shape.points, shape.edges[i] / 3)), center.add(vertexAt(shape.points, shape.edges[i + 1] / 3)));

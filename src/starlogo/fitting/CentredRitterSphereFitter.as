@@ -1,5 +1,6 @@
 package starlogo.fitting
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.geometry.vertices.VertexBounds;
 
@@ -40,7 +41,7 @@ package starlogo.fitting
                     radius = Math.sqrt(across + (height - shift) * (height - shift));
                 }
             }
-            return EnclosingStructures.sphere(session.vertices, 0, 0, z, radius);
+            return EnclosingStructures.sphere(session.vertices, new Vector3D(0, 0, z), radius);
         }
     }
 }

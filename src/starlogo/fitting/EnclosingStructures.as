@@ -17,29 +17,27 @@ package starlogo.fitting
          * Finds the smallest sphere with a given centre.
          *
          * @param vertices x, y, z of each
-         * @param x of the centre
-         * @param y of the centre
-         * @param z of the centre
+         * @param center of the sphere
          * @param leastRadius the smallest radius that the sphere may have
          */
-        public static function sphere(vertices:Vector.<Number>, x:Number, y:Number, z:Number, leastRadius:Number = 0):Sphere
+        public static function sphere(vertices:Vector.<Number>, center:Vector3D, leastRadius:Number = 0):Sphere
         {
-            var square:Number = squaredDistance(vertices, farthest(vertices, x, y, z), x, y, z);
-            return new Sphere(new Vector3D(x, y, z), Math.sqrt(Math.max(square, leastRadius * leastRadius)));
+            var square:Number = squaredDistance(vertices, farthest(vertices, center), center);
+            return new Sphere(center, Math.sqrt(Math.max(square, leastRadius * leastRadius)));
         }
 
         /** The index of the first number of the vertex that is farthest from a point. */
-        public static function farthest(vertices:Vector.<Number>, x:Number, y:Number, z:Number):int
+        public static function farthest(vertices:Vector.<Number>, point:Vector3D):int
         {
             var result:int = 0;
             var most:Number = -1;
             var length:int = vertices.length;
             for (var i:int = 0; i < length; i += 3)
             {
-                var toX:Number = vertices[i] - x;
-                var toY:Number = vertices[i + 1] - y;
-                var toZ:Number = vertices[i + 2] - z;
-                var square:Number = toX * toX + toY * toY + toZ * toZ;
+                var x:Number = vertices[i] - point.x;
+                var y:Number = vertices[i + 1] - point.y;
+                var z:Number = vertices[i + 2] - point.z;
+                var square:Number = x * x + y * y + z * z;
                 if (square > most)
                 {
                     most = square;
@@ -50,11 +48,11 @@ package starlogo.fitting
         }
 
         /** The squared distance from a point to the vertex whose first number has the index i. */
-        public static function squaredDistance(vertices:Vector.<Number>, i:int, x:Number, y:Number, z:Number):Number
+        public static function squaredDistance(vertices:Vector.<Number>, i:int, point:Vector3D):Number
         {
-            x -= vertices[i];
-            y -= vertices[i + 1];
-            z -= vertices[i + 2];
+            var x:Number = point.x - vertices[i];
+            var y:Number = point.y - vertices[i + 1];
+            var z:Number = point.z - vertices[i + 2];
             return x * x + y * y + z * z;
         }
 

@@ -21,7 +21,7 @@ package starlogo.fitting
             var ball:SmallestEnclosingBall = new SmallestEnclosingBall(session.hull.points);
             // Some vertices may be outside of the hull, by less than a step of its grid.
             ball.enclose(session.vertices);
-            return EnclosingStructures.sphere(session.vertices, ball.x, ball.y, ball.z);
+            return EnclosingStructures.sphere(session.vertices, ball.center);
         }
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.fitting
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.geometry.vertices.VertexBounds;
 
@@ -19,8 +20,8 @@ package starlogo.fitting
         override protected function findStructure(session:FitSession):BoundingStructure
         {
             var bounds:VertexBounds = VertexBounds.of(session.hull.points);
-            return EnclosingStructures.sphere(session.vertices, (bounds.minX + bounds.maxX) / 2, (bounds.minY + bounds.maxY) / 2,
-                    (bounds.minZ + bounds.maxZ) / 2);
+            var center:Vector3D = new Vector3D((bounds.minX + bounds.maxX) / 2, (bounds.minY + bounds.maxY) / 2, (bounds.minZ + bounds.maxZ) / 2);
+            return EnclosingStructures.sphere(session.vertices, center);
         }
     }
 }

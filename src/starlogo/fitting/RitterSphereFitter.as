@@ -1,5 +1,6 @@
 package starlogo.fitting
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
 
     /**
@@ -49,7 +50,7 @@ package starlogo.fitting
         {
             var points:Vector.<Number> = session.hull.points;
             var a:int = 0;
-            var b:int = _start == FARTHEST_FROM_FIRST ? EnclosingStructures.farthest(points, points[0], points[1], points[2]) : 0;
+            var b:int = _start == FARTHEST_FROM_FIRST ? EnclosingStructures.farthest(points, new Vector3D(points[0], points[1], points[2])) : 0;
             var widest:Number = 0;
             for (var axis:int = 0; axis < 3 && _start == WIDEST_DIMENSION; axis++)
             {
@@ -63,23 +64,21 @@ package starlogo.fitting
                     b = high;
                 }
             }
-            var x:Number = (points[a] + points[b]) / 2;
-            var y:Number = (points[a + 1] + points[b + 1]) / 2;
-            var z:Number = (points[a + 2] + points[b + 2]) / 2;
-            var radius:Number = Math.sqrt(EnclosingStructures.squaredDistance(points, a, x, y, z));
+            var center:Vector3D = new Vector3D((points[a] + points[b]) / 2, (points[a + 1] + points[b + 1]) / 2, (points[a + 2] + points[b + 2]) / 2);
+            var radius:Number = Math.sqrt(EnclosingStructures.squaredDistance(points, a, center));
             for (var i:int = 0; i < points.length; i += 3)
             {
-                var distance:Number = Math.sqrt(EnclosingStructures.squaredDistance(points, i, x, y, z));
+                var distance:Number = Math.sqrt(EnclosingStructures.squaredDistance(points, i, center));
                 if (distance > radius)
                 {
                     var shift:Number = (distance - radius) / 2 / distance;
-                    x += shift * (points[i] - x);
-                    y += shift * (points[i + 1] - y);
-                    z += shift * (points[i + 2] - z);
+                    center.x += shift * (points[i] - center.x);
+                    center.y += shift * (points[i + 1] - center.y);
+                    center.z += shift * (points[i + 2] - center.z);
                     radius = (distance + radius) / 2;
                 }
             }
-            return EnclosingStructures.sphere(session.vertices, x, y, z, radius);
+            return EnclosingStructures.sphere(session.vertices, center, radius);
         }
 
         // The index of the first point with the greatest coordinate along an axis, or the least if sign is -1.

@@ -365,6 +365,17 @@ package starlogo.geometry
             out.z = -(out.r20 * scale) * placement.x - out.r21 * scale * placement.y - out.r22 * scale * placement.z;
         }
 
+        /** @private Rotates a vector by the inverse of a placement's rotation. The result may be written to the vector itself. */
+        engine static function rotateBack(placement:Placement, vector:Vector3D, out:Vector3D):void
+        {
+            var fromX:Number = vector.x;
+            var fromY:Number = vector.y;
+            var fromZ:Number = vector.z;
+            out.x = placement.r00 * fromX + placement.r10 * fromY + placement.r20 * fromZ;
+            out.y = placement.r01 * fromX + placement.r11 * fromY + placement.r21 * fromZ;
+            out.z = placement.r02 * fromX + placement.r12 * fromY + placement.r22 * fromZ;
+        }
+
         /** @private Sets the rotation of a placement to that of b as seen from a: the inverse of a's rotation times b's. */
         engine static function setRelativeRotation(a:Placement, b:Placement, out:Placement):void
         {

@@ -86,18 +86,18 @@ package starlogo.ground
 
         private static function beginsInside(grid:HeightGrid, ray:Ray):Boolean
         {
-            return grid.heightAt(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY) >= ray.z + ray.from * ray.directionZ;
+            return grid.heightAt(ray.origin.x + ray.from * ray.direction.x, ray.origin.y + ray.from * ray.direction.y) >= ray.origin.z + ray.from * ray.direction.z;
         }
 
         // Begins to visit the triangles near a ray.
         private function begin(grid:HeightGrid, ray:Ray):void
         {
-            _search.box.x = ray.x;
-            _search.box.y = ray.y;
-            _search.box.z = ray.z;
-            _search.motion.x = ray.directionX;
-            _search.motion.y = ray.directionY;
-            _search.motion.z = ray.directionZ;
+            _search.box.x = ray.origin.x;
+            _search.box.y = ray.origin.y;
+            _search.box.z = ray.origin.z;
+            _search.motion.x = ray.direction.x;
+            _search.motion.y = ray.direction.y;
+            _search.motion.z = ray.direction.z;
             _search.motion.latestTime = endOf(grid, ray);
             _search.grid = grid;
             _triangles.begin(_search);
@@ -112,12 +112,12 @@ package starlogo.ground
         // A distance at which a ray is beyond all of the ground: it leaves the grid along x or y. An upright ray leaves the heights.
         private static function endOf(grid:HeightGrid, ray:Ray):Number
         {
-            if (ray.directionX == 0 && ray.directionY == 0)
+            if (ray.direction.x == 0 && ray.direction.y == 0)
             {
-                return Math.abs(ray.z) + Math.max(Math.abs(grid.pyramid.whole.min), Math.abs(grid.pyramid.whole.max));
+                return Math.abs(ray.origin.z) + Math.max(Math.abs(grid.pyramid.whole.min), Math.abs(grid.pyramid.whole.max));
             }
-            var endX:Number = (Math.abs(ray.x - grid.x) + grid.columns * grid.cellWidth) / Math.abs(ray.directionX);
-            var endY:Number = (Math.abs(ray.y - grid.y) + grid.rows * grid.cellWidth) / Math.abs(ray.directionY);
+            var endX:Number = (Math.abs(ray.origin.x - grid.x) + grid.columns * grid.cellWidth) / Math.abs(ray.direction.x);
+            var endY:Number = (Math.abs(ray.origin.y - grid.y) + grid.rows * grid.cellWidth) / Math.abs(ray.direction.y);
             return Math.min(FARTHEST, Math.min(endX, endY));
         }
     }

@@ -208,9 +208,7 @@ package starlogo.ground
             kernel.setStructure(structure, _placement);
             shape.margin += _modelMargin;
             shapeMargin = shape.margin;
-            point.x = shape.x;
-            point.y = shape.y;
-            point.z = shape.z;
+            point.copyFrom(shape.origin);
         }
 
         // Finds the box around a structure of the model.

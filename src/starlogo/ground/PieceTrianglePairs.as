@@ -306,9 +306,9 @@ package starlogo.ground
             var shape:ConvexShape = pieces.kernel.shape;
             search.grid.findNormal(_under, _normal);
             var at:int = shape.support(_normal, -1);
-            _point.x = shape.x + shape.points[at] - shape.radius * _normal.x;
-            _point.y = shape.y + shape.points[int(at + 1)] - shape.radius * _normal.y;
-            _point.z = shape.z + shape.points[int(at + 2)] - shape.radius * _normal.z;
+            _point.x = shape.origin.x + shape.points[at] - shape.radius * _normal.x;
+            _point.y = shape.origin.y + shape.points[int(at + 1)] - shape.radius * _normal.y;
+            _point.z = shape.origin.z + shape.points[int(at + 2)] - shape.radius * _normal.z;
             return isUnder(_point, 0);
         }
 

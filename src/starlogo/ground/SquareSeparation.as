@@ -33,7 +33,7 @@ package starlogo.ground
                 return false;
             }
             shape.project(direction, _ofShape);
-            var distance:Number = direction.x * (shape.x - square.x) + direction.y * (shape.y - square.y) + direction.z * (shape.z - square.z)
+            var distance:Number = direction.x * (shape.origin.x - square.x) + direction.y * (shape.origin.y - square.y) + direction.z * (shape.origin.z - square.z)
                 + _ofShape.min - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.boundingRadius
                 - Math.abs(direction.x) * square.halfX - Math.abs(direction.y) * square.halfY - Math.abs(direction.z) * square.halfZ;
             var motion:RelativeMotion = search.motion;
@@ -62,16 +62,16 @@ package starlogo.ground
         // its part of the way from their common corner.
         private static function findNear(shape:ConvexShape, place:Vector3D, out:Vector3D):void
         {
-            out.setTo(shape.x, shape.y, shape.z);
+            out.copyFrom(shape.origin);
             if (!shape.areEdgesPerpendicular)
             {
                 return;
             }
             var p:Vector.<Number> = shape.points;
             var edges:Vector.<int> = shape.edges;
-            var x:Number = place.x - (shape.x + p[0]);
-            var y:Number = place.y - (shape.y + p[1]);
-            var z:Number = place.z - (shape.z + p[2]);
+            var x:Number = place.x - (shape.origin.x + p[0]);
+            var y:Number = place.y - (shape.origin.y + p[1]);
+            var z:Number = place.z - (shape.origin.z + p[2]);
             out.x += p[0];
             out.y += p[1];
             out.z += p[2];

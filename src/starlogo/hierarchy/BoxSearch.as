@@ -110,10 +110,10 @@ package starlogo.hierarchy
         /** Visits the nodes that a ray may meet. The visitor's limit must be set: the ray's end. */
         public function visitAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
-            setCube(ray.x, ray.y, ray.z, 0);
-            _inverseX = inverseOf(ray.directionX);
-            _inverseY = inverseOf(ray.directionY);
-            _inverseZ = inverseOf(ray.directionZ);
+            setCube(ray.origin.x, ray.origin.y, ray.origin.z, 0);
+            _inverseX = inverseOf(ray.direction.x);
+            _inverseY = inverseOf(ray.direction.y);
+            _inverseZ = inverseOf(ray.direction.z);
             _from = ray.from;
             visitMet(tree, depth, visitor);
         }

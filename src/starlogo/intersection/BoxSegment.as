@@ -18,14 +18,10 @@ package starlogo.intersection
         public static const SCRATCH:BoxSegment = new BoxSegment();
 
         /** The segment's start, as seen from the box's middle. */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        public var start:Vector3D = new Vector3D();
 
         /** The vector from its start to its end. */
-        public var alongX:Number = 0;
-        public var alongY:Number = 0;
-        public var alongZ:Number = 0;
+        public var along:Vector3D = new Vector3D();
 
         /** Where the segment's closest point is: from 0 at its start to 1 at its end. */
         public var fraction:Number = 0;
@@ -36,24 +32,24 @@ package starlogo.intersection
         /** Sets the axis of a capsule. */
         public function setTo(capsule:Capsule, box:Box):void
         {
-            var start:Vector3D = capsule.start;
+            var from:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
             var center:Vector3D = box.center;
-            var fromX:Number = start.x - center.x;
-            var fromY:Number = start.y - center.y;
-            var fromZ:Number = start.z - center.z;
-            var toX:Number = end.x - start.x;
-            var toY:Number = end.y - start.y;
-            var toZ:Number = end.z - start.z;
+            var fromX:Number = from.x - center.x;
+            var fromY:Number = from.y - center.y;
+            var fromZ:Number = from.z - center.z;
+            var toX:Number = end.x - from.x;
+            var toY:Number = end.y - from.y;
+            var toZ:Number = end.z - from.z;
             var axis:Vector3D = box.axisX;
-            x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            alongX = axis.x * toX + axis.y * toY + axis.z * toZ;
+            start.x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along.x = axis.x * toX + axis.y * toY + axis.z * toZ;
             axis = box.axisY;
-            y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            alongY = axis.x * toX + axis.y * toY + axis.z * toZ;
+            start.y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along.y = axis.x * toX + axis.y * toY + axis.z * toZ;
             axis = box.axisZ;
-            z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            alongZ = axis.x * toX + axis.y * toY + axis.z * toZ;
+            start.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along.z = axis.x * toX + axis.y * toY + axis.z * toZ;
         }
 
         /** Moves the segment to where the capsule is at its motion's time. */
@@ -61,25 +57,25 @@ package starlogo.intersection
         {
             var time:Number = motion.time;
             var axis:Vector3D = box.axisX;
-            x += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
-            x += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            start.x += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
+            start.x += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisY;
-            y += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
-            y += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            start.y += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
+            start.y += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
-            z += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
-            z += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            start.z += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
+            start.z += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
         }
 
         /** Finds <code>fraction</code> and <code>isInside</code>. First it finds where the segment's line enters and leaves each slab of the box. */
         public function findClosest(box:Box):void
         {
-            var px:Number = x;
-            var py:Number = y;
-            var pz:Number = z;
-            var ux:Number = alongX;
-            var uy:Number = alongY;
-            var uz:Number = alongZ;
+            var px:Number = start.x;
+            var py:Number = start.y;
+            var pz:Number = start.z;
+            var ux:Number = along.x;
+            var uy:Number = along.y;
+            var uz:Number = along.z;
             // the half-extents, negative along axes that the segment runs against: it leaves a slab where it reaches them
             var halfX:Number = ux < 0 ? -box.halfX : box.halfX;
             var halfY:Number = uy < 0 ? -box.halfY : box.halfY;
@@ -142,26 +138,26 @@ package starlogo.intersection
          */
         public function middleIn(box:Box):Number
         {
-            var least:Number = Tolerances.DIRECTION * (Math.abs(alongX) + Math.abs(alongY) + Math.abs(alongZ));
+            var least:Number = Tolerances.DIRECTION * (Math.abs(along.x) + Math.abs(along.y) + Math.abs(along.z));
             var begin:Number = 0;
             var end:Number = 1;
-            if (Math.abs(alongX) > least)
+            if (Math.abs(along.x) > least)
             {
-                var half:Number = alongX < 0 ? -box.halfX : box.halfX;
-                begin = Math.max(begin, (-half - x) / alongX);
-                end = Math.min(end, (half - x) / alongX);
+                var half:Number = along.x < 0 ? -box.halfX : box.halfX;
+                begin = Math.max(begin, (-half - start.x) / along.x);
+                end = Math.min(end, (half - start.x) / along.x);
             }
-            if (Math.abs(alongY) > least)
+            if (Math.abs(along.y) > least)
             {
-                half = alongY < 0 ? -box.halfY : box.halfY;
-                begin = Math.max(begin, (-half - y) / alongY);
-                end = Math.min(end, (half - y) / alongY);
+                half = along.y < 0 ? -box.halfY : box.halfY;
+                begin = Math.max(begin, (-half - start.y) / along.y);
+                end = Math.min(end, (half - start.y) / along.y);
             }
-            if (Math.abs(alongZ) > least)
+            if (Math.abs(along.z) > least)
             {
-                half = alongZ < 0 ? -box.halfZ : box.halfZ;
-                begin = Math.max(begin, (-half - z) / alongZ);
-                end = Math.min(end, (half - z) / alongZ);
+                half = along.z < 0 ? -box.halfZ : box.halfZ;
+                begin = Math.max(begin, (-half - start.z) / along.z);
+                end = Math.min(end, (half - start.z) / along.z);
             }
             return begin < end ? (begin + end) / 2 : fraction;
         }

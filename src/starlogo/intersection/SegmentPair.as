@@ -13,18 +13,12 @@ package starlogo.intersection
         public static const SCRATCH:SegmentPair = new SegmentPair();
         public static const SCRATCH_GAP:CoreGap = new CoreGap();
 
-        /** u is the axis of a, and v the axis of b, each from its start to its end. All fields are read only. */
-        public var uX:Number = 0;
-        public var uY:Number = 0;
-        public var uZ:Number = 0;
-        public var vX:Number = 0;
-        public var vY:Number = 0;
-        public var vZ:Number = 0;
+        /** The axis of a, and the axis of b, each from its start to its end. All fields are read only. */
+        public var u:Vector3D = new Vector3D();
+        public var v:Vector3D = new Vector3D();
 
         /** The vector from v's start to u's. */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        public var offset:Vector3D = new Vector3D();
 
         /** Where u's closest point is: from 0 at its start to 1 at its end. <code>findClosest()</code> finds it. */
         public var fractionOfU:Number = 0;
@@ -34,24 +28,24 @@ package starlogo.intersection
         {
             var startB:Vector3D = b.start;
             var endB:Vector3D = b.end;
-            uX = endA.x - startA.x;
-            uY = endA.y - startA.y;
-            uZ = endA.z - startA.z;
-            vX = endB.x - startB.x;
-            vY = endB.y - startB.y;
-            vZ = endB.z - startB.z;
-            x = startA.x - startB.x;
-            y = startA.y - startB.y;
-            z = startA.z - startB.z;
+            u.x = endA.x - startA.x;
+            u.y = endA.y - startA.y;
+            u.z = endA.z - startA.z;
+            v.x = endB.x - startB.x;
+            v.y = endB.y - startB.y;
+            v.z = endB.z - startB.z;
+            offset.x = startA.x - startB.x;
+            offset.y = startA.y - startB.y;
+            offset.z = startA.z - startB.z;
         }
 
         /** Moves u to where a is at its motion's time. */
         public function move(motion:RelativeMotion):void
         {
             var time:Number = motion.time;
-            x = x + motion.startX + time * motion.x;
-            y = y + motion.startY + time * motion.y;
-            z = z + motion.startZ + time * motion.z;
+            offset.x = offset.x + motion.startX + time * motion.x;
+            offset.y = offset.y + motion.startY + time * motion.y;
+            offset.z = offset.z + motion.startZ + time * motion.z;
         }
 
         /**
@@ -63,20 +57,20 @@ package starlogo.intersection
          */
         public function findClosest(out:CoreGap):void
         {
-            var uu:Number = uX * uX + uY * uY + uZ * uZ;
-            var vv:Number = vX * vX + vY * vY + vZ * vZ;
-            var uv:Number = uX * vX + uY * vY + uZ * vZ;
-            var alongU:Number = uX * x + uY * y + uZ * z;
-            var alongV:Number = vX * x + vY * y + vZ * z;
+            var uu:Number = u.x * u.x + u.y * u.y + u.z * u.z;
+            var vv:Number = v.x * v.x + v.y * v.y + v.z * v.z;
+            var uv:Number = u.x * v.x + u.y * v.y + u.z * v.z;
+            var alongU:Number = u.x * offset.x + u.y * offset.y + u.z * offset.z;
+            var alongV:Number = v.x * offset.x + v.y * offset.y + v.z * offset.z;
             var numerator:Number = uv * alongV - vv * alongU;
             var denominator:Number = uu * vv - uv * uv;
             if (denominator <= Tolerances.NEARLY_PARALLEL * uu * vv)
             {
                 // The same values from cross products, which do not cancel.
-                var crossX:Number = uY * vZ - uZ * vY;
-                var crossY:Number = uZ * vX - uX * vZ;
-                var crossZ:Number = uX * vY - uY * vX;
-                numerator = (vY * z - vZ * y) * crossX + (vZ * x - vX * z) * crossY + (vX * y - vY * x) * crossZ;
+                var crossX:Number = u.y * v.z - u.z * v.y;
+                var crossY:Number = u.z * v.x - u.x * v.z;
+                var crossZ:Number = u.x * v.y - u.y * v.x;
+                numerator = (v.y * offset.z - v.z * offset.y) * crossX + (v.z * offset.x - v.x * offset.z) * crossY + (v.x * offset.y - v.y * offset.x) * crossZ;
                 denominator = crossX * crossX + crossY * crossY + crossZ * crossZ;
             }
             var s:Number = numerator <= 0 ? 0 : (numerator >= denominator ? 1 : numerator / denominator);
@@ -97,9 +91,9 @@ package starlogo.intersection
                 t /= vv;
             }
             fractionOfU = s;
-            out.x = x + s * uX - t * vX;
-            out.y = y + s * uY - t * vY;
-            out.z = z + s * uZ - t * vZ;
+            out.x = offset.x + s * u.x - t * v.x;
+            out.y = offset.y + s * u.y - t * v.y;
+            out.z = offset.z + s * u.z - t * v.z;
         }
 
         /**
@@ -108,17 +102,17 @@ package starlogo.intersection
          */
         public function get middleOfU():Number
         {
-            var crossX:Number = uY * vZ - uZ * vY;
-            var crossY:Number = uZ * vX - uX * vZ;
-            var crossZ:Number = uX * vY - uY * vX;
-            var uu:Number = uX * uX + uY * uY + uZ * uZ;
-            var vv:Number = vX * vX + vY * vY + vZ * vZ;
+            var crossX:Number = u.y * v.z - u.z * v.y;
+            var crossY:Number = u.z * v.x - u.x * v.z;
+            var crossZ:Number = u.x * v.y - u.y * v.x;
+            var uu:Number = u.x * u.x + u.y * u.y + u.z * u.z;
+            var vv:Number = v.x * v.x + v.y * v.y + v.z * v.z;
             if (!(crossX * crossX + crossY * crossY + crossZ * crossZ < Tolerances.DIRECTION * Tolerances.DIRECTION * uu * vv))
             {
                 return fractionOfU;
             }
-            var start:Number = -(uX * x + uY * y + uZ * z) / uu;
-            var end:Number = start + (uX * vX + uY * vY + uZ * vZ) / uu;
+            var start:Number = -(u.x * offset.x + u.y * offset.y + u.z * offset.z) / uu;
+            var end:Number = start + (u.x * v.x + u.y * v.y + u.z * v.z) / uu;
             return (Math.max(0, Math.min(1, start)) + Math.max(0, Math.min(1, end))) / 2;
         }
     }

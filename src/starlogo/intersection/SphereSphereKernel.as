@@ -46,9 +46,7 @@ package starlogo.intersection
             var gap:CoreGap = _gap;
             var center:Vector3D = a.center;
             var other:Vector3D = b.center;
-            gap.pointX = center.x;
-            gap.pointY = center.y;
-            gap.pointZ = center.z;
+            gap.point.copyFrom(center);
             gap.x = center.x - other.x + motion.startX + motion.time * motion.x;
             gap.y = center.y - other.y + motion.startY + motion.time * motion.y;
             gap.z = center.z - other.z + motion.startZ + motion.time * motion.z;

@@ -1,6 +1,6 @@
 // The package intersection says how two bounding structures meet, for each pair of their kinds, or a structure and a ray. It is made of functions that
 // test whether two touch, of kernels that find the rest, of a TriangleKernel for a shape and triangles, and of the tests of two boxes (boxes) and of
-// rays (ray). Read StructurePairs first, then StructurePairKernel, which explains the questions, then RoundKernel and GapFinder.
+// rays (ray). Read StructurePairs first, then StructurePairKernel, which explains the questions, then RoundKernel.
 
 package starlogo.intersection
 {

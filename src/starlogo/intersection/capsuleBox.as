@@ -23,12 +23,12 @@ package starlogo.intersection
         var halfX:Number = box.halfX;
         var halfY:Number = box.halfY;
         var halfZ:Number = box.halfZ;
-        var endX:Number = segment.x + segment.alongX;
-        var endY:Number = segment.y + segment.alongY;
-        var endZ:Number = segment.z + segment.alongZ;
-        if (segment.x > halfX + radius && endX > halfX + radius || segment.x < -halfX - radius && endX < -halfX - radius
-                || segment.y > halfY + radius && endY > halfY + radius || segment.y < -halfY - radius && endY < -halfY - radius
-                || segment.z > halfZ + radius && endZ > halfZ + radius || segment.z < -halfZ - radius && endZ < -halfZ - radius)
+        var endX:Number = segment.start.x + segment.along.x;
+        var endY:Number = segment.start.y + segment.along.y;
+        var endZ:Number = segment.start.z + segment.along.z;
+        if (segment.start.x > halfX + radius && endX > halfX + radius || segment.start.x < -halfX - radius && endX < -halfX - radius
+                || segment.start.y > halfY + radius && endY > halfY + radius || segment.start.y < -halfY - radius && endY < -halfY - radius
+                || segment.start.z > halfZ + radius && endZ > halfZ + radius || segment.start.z < -halfZ - radius && endZ < -halfZ - radius)
         {
             return false;
         }
@@ -36,9 +36,9 @@ package starlogo.intersection
         // For slabs that the segment is known to be inside of no point is computed, because rounding might put it outside, and a radius of 0 allows no
         // error.
         var fraction:Number = segment.fraction;
-        var x:Number = segment.isInside && segment.alongX != 0 ? 0 : segment.x + fraction * segment.alongX;
-        var y:Number = segment.isInside && segment.alongY != 0 ? 0 : segment.y + fraction * segment.alongY;
-        var z:Number = segment.isInside && segment.alongZ != 0 ? 0 : segment.z + fraction * segment.alongZ;
+        var x:Number = segment.isInside && segment.along.x != 0 ? 0 : segment.start.x + fraction * segment.along.x;
+        var y:Number = segment.isInside && segment.along.y != 0 ? 0 : segment.start.y + fraction * segment.along.y;
+        var z:Number = segment.isInside && segment.along.z != 0 ? 0 : segment.start.z + fraction * segment.along.z;
         include "../geometry/squaredToBox.inc";
         return squaredDistance <= radius * radius;
     }

@@ -5,7 +5,7 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.geometry.Tolerances;
 
-    // This function repeats the arithmetic of GapFinder, because a call through that takes about twice as long.
+    // This function repeats the arithmetic of RoundKernel, because a call through that takes about twice as long.
     // KernelsAgreeTest checks that both agree.
 
     /**

@@ -155,7 +155,7 @@ package starlogo.libraries
         // how far outside of a structure vertices may be
         private static function toleranceFor(vertices:Vector.<Number>):Number
         {
-            return Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
+            return Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, new Vector3D(vertices[0], vertices[1], vertices[2])).radius;
         }
 
         // The index of the first of some vertices that is further outside of a structure than a tolerance; -1 if there is none.

@@ -200,8 +200,8 @@ package starlogo.queries
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
             var collector:Collector = _seen.beginCollecting(maxCount, maxDistance, null, filter);
-            _search.setTo(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
-            _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ);
+            _search.setTo(_seen.treeOfExtents(), _ray.origin.x, _ray.origin.y, _ray.origin.z);
+            _search.moveAlong(_ray.direction.x, _ray.direction.y, _ray.direction.z);
             return collector;
         }
 

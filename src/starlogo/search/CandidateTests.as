@@ -248,21 +248,17 @@ package starlogo.search
         {
             var standing:Extents = _table.extents;
             _interval.reset(1);
-            _interval.margin = level.slack;
-            return clipAlong(standing.x, standing.halfX, _motions.displacements.x, a, b)
-                && clipAlong(standing.y, standing.halfY, _motions.displacements.y, a, b)
-                && clipAlong(standing.z, standing.halfZ, _motions.displacements.z, a, b);
+            return clipAlong(standing.x, standing.halfX, _motions.displacements.x, a, b, level)
+                && clipAlong(standing.y, standing.halfY, _motions.displacements.y, a, b, level)
+                && clipAlong(standing.z, standing.halfZ, _motions.displacements.z, a, b, level);
         }
 
         // Clips the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
-        private function clipAlong(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
+        private function clipAlong(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int, level:BinLevel):Boolean
         {
             // The reverse of what ContactInterval names: row a seen from row b. The interval is the same.
             var speed:Number = motion[a] - motion[b];
-            _interval.offset = at[a] - at[b] - speed;
-            _interval.speed = speed;
-            _interval.halfExtents = half[a] + half[b];
-            return _interval.clip();
+            return _interval.clip(at[a] - at[b] - speed, speed, half[a] + half[b], level.slack);
         }
     }
 }

@@ -99,7 +99,7 @@ package starlogo.solid
             _axis.setTo(sign * x, sign * y, sign * z);
             _shape.project(_axis, _ofShape);
             var radius:Number = _cullDistance * _axis.length;
-            var origin:Number = _axis.x * _shape.x + _axis.y * _shape.y + _axis.z * _shape.z;
+            var origin:Number = _axis.x * _shape.origin.x + _axis.y * _shape.origin.y + _axis.z * _shape.origin.z;
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
@@ -154,9 +154,9 @@ package starlogo.solid
             var opposite:int = 3;
             for (var to:int = 0; to < 9; to += 3)
             {
-                var x:Number = corners[from] - shape.x;
-                var y:Number = corners[int(from + 1)] - shape.y;
-                var z:Number = corners[int(from + 2)] - shape.z;
+                var x:Number = corners[from] - shape.origin.x;
+                var y:Number = corners[int(from + 1)] - shape.origin.y;
+                var z:Number = corners[int(from + 2)] - shape.origin.z;
                 var edgeX:Number = corners[to] - corners[from];
                 var edgeY:Number = corners[int(to + 1)] - corners[int(from + 1)];
                 var edgeZ:Number = corners[int(to + 2)] - corners[int(from + 2)];
@@ -165,8 +165,8 @@ package starlogo.solid
                 var acrossZ:Number = motion.x * edgeY - motion.y * edgeX;
                 // where the edge, the opposite corner and the shape's first and last points are along the axis
                 var edge:Number = acrossX * x + acrossY * y + acrossZ * z;
-                var corner:Number = acrossX * (corners[opposite] - shape.x) + acrossY * (corners[int(opposite + 1)] - shape.y)
-                    + acrossZ * (corners[int(opposite + 2)] - shape.z);
+                var corner:Number = acrossX * (corners[opposite] - shape.origin.x) + acrossY * (corners[int(opposite + 1)] - shape.origin.y)
+                    + acrossZ * (corners[int(opposite + 2)] - shape.origin.z);
                 var start:Number = acrossX * points[0] + acrossY * points[1] + acrossZ * points[2];
                 var end:Number = acrossX * points[lastPoint] + acrossY * points[int(lastPoint + 1)] + acrossZ * points[int(lastPoint + 2)];
                 var low:Number = start < end ? start : end;

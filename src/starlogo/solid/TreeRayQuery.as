@@ -82,7 +82,7 @@ package starlogo.solid
 
         private function beginsInside(model:ModelTree, ray:Ray):Boolean
         {
-            _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            _start.setTo(ray.origin.x + ray.from * ray.direction.x, ray.origin.y + ray.from * ray.direction.y, ray.origin.z + ray.from * ray.direction.z);
             return model.isInside(_start, 0);
         }
 

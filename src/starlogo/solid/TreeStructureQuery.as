@@ -1,6 +1,5 @@
 package starlogo.solid
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -35,9 +34,8 @@ package starlogo.solid
         // The motion of a structure that stands; a search overwrites its times.
         private var _still:RelativeMotion = new RelativeMotion();
 
-        // Has the structure in a's space as a shape; a point that is inside of it.
+        // Has the structure in a's space as a shape.
         private var _kernel:TriangleKernel = new TriangleKernel();
-        private var _point:Vector3D = new Vector3D();
 
         private var _measured:ClosestPoints = new ClosestPoints();
 
@@ -144,16 +142,13 @@ package starlogo.solid
         {
             // The search has set the shape. The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
             var shape:ConvexShape = _kernel.shape;
-            _point.x = shape.x;
-            _point.y = shape.y;
-            _point.z = shape.z;
-            if (!_tree.isInside(_point, shape.radius))
+            if (!_tree.isInside(shape.origin, shape.radius))
             {
                 return false;
             }
             if (out != null)
             {
-                out.setPoint(_point);
+                out.setPoint(shape.origin);
                 out.placePoints(placementA);
             }
             return true;

@@ -213,9 +213,9 @@ package starlogo.convex
                 forAll(Effort.choose(2, 20), function():void
                     {
                         var direction:Vector3D = _structures.direction();
-                        _a = RandomConvex.moved(_a, _b.x - _a.x, _b.y - _a.y, _b.z - _a.z);
+                        _a = RandomConvex.moved(_a, _b.origin.x - _a.origin.x, _b.origin.y - _a.origin.y, _b.origin.z - _a.origin.z);
                         _pair.findContact(_a, _b, new RelativeMotion(0), _contact);
-                        if (!(_contact.depth > 1e-15 * (distance + Math.abs(_b.x))))
+                        if (!(_contact.depth > 1e-15 * (distance + Math.abs(_b.origin.x))))
                         {
                             return;
                         }
@@ -297,7 +297,7 @@ package starlogo.convex
                     var normal:Vector3D = new Vector3D(_contact.normalX, _contact.normalY, _contact.normalZ);
                     _wrong.addIf(Math.abs(normal.length - 1) > 1e-12, "unit", _what);
                     // far away, places are rounded
-                    var extent:Number = Math.max(_a.boundingRadius / 2 + _a.radius, _b.boundingRadius / 2 + _b.radius) + 1e-6 * Math.abs(_b.x);
+                    var extent:Number = Math.max(_a.boundingRadius / 2 + _a.radius, _b.boundingRadius / 2 + _b.radius) + 1e-6 * Math.abs(_b.origin.x);
                     if (extent == 0)
                     {
                         return;
@@ -461,9 +461,9 @@ package starlogo.convex
             var beside:Vector3D = _structures.direction();
             beside.scaleBy(aside * _size / 2);
             way.scaleBy((0.5 + from) * _size);
-            motion.startX = _b.x - _a.x - way.x;
-            motion.startY = _b.y - _a.y - way.y;
-            motion.startZ = _b.z - _a.z - way.z;
+            motion.startX = _b.origin.x - _a.origin.x - way.x;
+            motion.startY = _b.origin.y - _a.origin.y - way.y;
+            motion.startZ = _b.origin.z - _a.origin.z - way.z;
             motion.x = 2 * way.x + beside.x;
             motion.y = 2 * way.y + beside.y;
             motion.z = 2 * way.z + beside.z;
@@ -520,7 +520,7 @@ package starlogo.convex
 
         private function isConcentric():Boolean
         {
-            return _a.x == _b.x && _a.y == _b.y && _a.z == _b.z;
+            return _a.origin.x == _b.origin.x && _a.origin.y == _b.origin.y && _a.origin.z == _b.origin.z;
         }
     }
 }

@@ -151,7 +151,7 @@ package starlogo.convex
             var contact:ContactPoint = new ContactPoint();
             _pair.findContact(ball, needle, new RelativeMotion(0), contact);
             assertTrue(String(contact.depth), contact.depth < 1e-5);
-            var off:Vector3D = new Vector3D(contact.x - ball.x, contact.y - ball.y, contact.z - ball.z);
+            var off:Vector3D = new Vector3D(contact.x - ball.origin.x, contact.y - ball.origin.y, contact.z - ball.origin.z);
             assertTrue(String(off), off.length < 1e-4);
         }
 

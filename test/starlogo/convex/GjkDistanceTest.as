@@ -28,9 +28,9 @@ package starlogo.convex
                     var needle:ConvexShape = ellipsoid(count, thickness, 2, thickness);
                     for (var i:int = 0; i < 60; i++)
                     {
-                        needle.x = _random.between(-1.5, 1.5);
-                        needle.y = _random.between(-2, 2);
-                        needle.z = _random.between(-0.5, 1.5);
+                        needle.origin.x = _random.between(-1.5, 1.5);
+                        needle.origin.y = _random.between(-2, 2);
+                        needle.origin.z = _random.between(-0.5, 1.5);
                         _cores.setShapes(disc, needle);
                         _cores.searchLimit = Infinity;
                         search.find(_cores, _result);
@@ -54,11 +54,11 @@ package starlogo.convex
                 var a:ConvexShape = ellipsoid(20, 1, 1, 1);
                 var b:ConvexShape = ellipsoid(20, 1, 2, 1);
                 var search:GjkDistance = new GjkDistance();
-                b.x = _random.between(-4, 4);
-                b.y = _random.between(-2, 2);
+                b.origin.x = _random.between(-4, 4);
+                b.origin.y = _random.between(-2, 2);
                 _cores.setShapes(a, b);
                 search.find(_cores, _result);
-                b.x = 10;
+                b.origin.x = 10;
                 var expected:String = findAfterEmpty(new GjkDistance(), a, b);
                 var found:String = findAfterEmpty(search, a, b);
                 _wrong.addIf(found != expected, "other result", found + " for " + expected);

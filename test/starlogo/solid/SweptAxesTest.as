@@ -116,7 +116,7 @@ package starlogo.solid
             _corners.length = 0;
             for (var i:int = 0; i < drawn.pointsEnd; i += 3)
             {
-                _corners.push(drawn.x + drawn.points[i], drawn.y + drawn.points[i + 1], drawn.z + drawn.points[i + 2]);
+                _corners.push(drawn.origin.x + drawn.points[i], drawn.origin.y + drawn.points[i + 1], drawn.origin.z + drawn.points[i + 2]);
             }
             _triangle.setTriangle(_corners, 0);
         }
@@ -202,8 +202,8 @@ package starlogo.solid
 
         private function count(shape:ConvexShape, what:String):void
         {
-            var size:Number = 3 * shape.margin + Math.abs(_motion.x) + Math.abs(_motion.y) + Math.abs(_motion.z) + Math.abs(shape.x) + Math.abs(shape.y)
-                + Math.abs(shape.z) + shape.boundingRadius;
+            var size:Number = 3 * shape.margin + Math.abs(_motion.x) + Math.abs(_motion.y) + Math.abs(_motion.z) + Math.abs(shape.origin.x) + Math.abs(shape.origin.y)
+                + Math.abs(shape.origin.z) + shape.boundingRadius;
             _axes.setTo(shape, shape.radius + shape.margin + Tolerances.EXTENTS * size, _motion);
             var isRuledOut:Boolean = _axes.areApart(_corners);
             var isTouched:Boolean = touches(shape);

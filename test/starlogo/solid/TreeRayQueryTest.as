@@ -126,7 +126,7 @@ package starlogo.solid
         // Out of a structure's surface, which no ray meets at a right angle by chance.
         private static function checkNodeNormal(message:String, ray:Ray, entry:RayCrossing):void
         {
-            var normal:Vector3D = new Vector3D(entry.normalX, entry.normalY, entry.normalZ);
+            var normal:Vector3D = new Vector3D(entry.normal.x, entry.normal.y, entry.normal.z);
             var along:Number = normal.dotProduct(directionOf(ray));
             assertTrue(message + ": " + normal, Math.abs(normal.length - 1) < 1e-12 && along < 0 && along > -1 + 1e-12);
             assertEquals(message + ": " + normal, 1, Math.abs(normal.x) + Math.abs(normal.y) + Math.abs(normal.z));
@@ -184,7 +184,7 @@ package starlogo.solid
             var corner:ModelTree = hierarchyOf(new Model("corner", bent, new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4], Model.AS_GIVEN));
             ray.aim(new Vector3D(-3, 0.1, 0), new Vector3D(1, 0, 0));
             assertTrue(Math.abs(distanceAt(corner, BoxTree.EXACT, ray) - 2.5) < 1e-12);
-            assertEquals("its normal", -1, _entry.normalX);
+            assertEquals("its normal", -1, _entry.normal.x);
         }
 
         [Test]
@@ -216,9 +216,9 @@ package starlogo.solid
                     continue;
                 }
                 met++;
-                var x:Number = ray.x + _entry.distance * ray.directionX;
-                var y:Number = ray.y + _entry.distance * ray.directionY;
-                var z:Number = ray.z + _entry.distance * ray.directionZ;
+                var x:Number = ray.origin.x + _entry.distance * ray.direction.x;
+                var y:Number = ray.origin.y + _entry.distance * ray.direction.y;
+                var z:Number = ray.origin.z + _entry.distance * ray.direction.z;
                 var gap:Number = PlainDistance.ofTriangles(new <Number>[x, y, z, x, y, z, x, y, z], 0, vertices, 0);
                 assertTrue(i + ": " + gap + " beside " + corners, gap < 1e-9);
             }
@@ -330,7 +330,7 @@ package starlogo.solid
 
         private static function directionOf(ray:Ray):Vector3D
         {
-            return new Vector3D(ray.directionX, ray.directionY, ray.directionZ);
+            return new Vector3D(ray.direction.x, ray.direction.y, ray.direction.z);
         }
     }
 }

@@ -144,11 +144,10 @@ package starlogo.fitting.minimal
                 seen[i + 2] = points[i + 2] - along * axis.z;
             }
             var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
-            var center:Vector3D = new Vector3D(circle.x, circle.y, circle.z);
             var smallest:Capsule = null;
             for each (var multiple:Number in RADII)
             {
-                var capsule:Capsule = EnclosingStructures.capsule(points, center, axis, Infinity, -Infinity, multiple * circle.radius);
+                var capsule:Capsule = EnclosingStructures.capsule(points, circle.center, axis, Infinity, -Infinity, multiple * circle.radius);
                 if (smallest == null || capsule.volume < smallest.volume)
                 {
                     smallest = capsule;

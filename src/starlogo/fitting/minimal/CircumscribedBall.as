@@ -1,5 +1,6 @@
 package starlogo.fitting.minimal
 {
+    import flash.geom.Vector3D;
     import starlogo.fitting.EnclosingStructures;
     import starlogo.geometry.Tolerances;
 
@@ -10,14 +11,8 @@ package starlogo.fitting.minimal
      */
     public final class CircumscribedBall
     {
-        /** x of the centre. */
-        public var x:Number;
-
-        /** y of the centre. */
-        public var y:Number;
-
-        /** z of the centre. */
-        public var z:Number;
+        /** The centre. */
+        public var center:Vector3D;
 
         /** The square of the radius. */
         public var squaredRadius:Number;
@@ -65,9 +60,7 @@ package starlogo.fitting.minimal
             }
             var ball:CircumscribedBall = new CircumscribedBall();
             ball.points = points;
-            ball.x = points[0] + shiftX;
-            ball.y = points[1] + shiftY;
-            ball.z = points[2] + shiftZ;
+            ball.center = new Vector3D(points[0] + shiftX, points[1] + shiftY, points[2] + shiftZ);
             ball.squaredRadius = shiftX * shiftX + shiftY * shiftY + shiftZ * shiftZ;
             return ball;
         }
@@ -77,7 +70,7 @@ package starlogo.fitting.minimal
         {
             for (var i:int = 0; i < others.length; i += 3)
             {
-                if (EnclosingStructures.squaredDistance(others, i, x, y, z) > squaredRadius * (1 + Tolerances.BALL_SLACK))
+                if (EnclosingStructures.squaredDistance(others, i, center) > squaredRadius * (1 + Tolerances.BALL_SLACK))
                 {
                     return false;
                 }

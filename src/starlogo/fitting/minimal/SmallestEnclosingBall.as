@@ -1,5 +1,6 @@
 package starlogo.fitting.minimal
 {
+    import flash.geom.Vector3D;
     import starlogo.fitting.EnclosingStructures;
     import starlogo.geometry.Tolerances;
 
@@ -30,21 +31,9 @@ package starlogo.fitting.minimal
         }
 
         /** The centre. */
-        public function get x():Number
+        public function get center():Vector3D
         {
-            return _origin[0] + _ball.x;
-        }
-
-        /** @copy #x */
-        public function get y():Number
-        {
-            return _origin[1] + _ball.y;
-        }
-
-        /** @copy #x */
-        public function get z():Number
-        {
-            return _origin[2] + _ball.z;
+            return new Vector3D(_origin[0] + _ball.center.x, _origin[1] + _ball.center.y, _origin[2] + _ball.center.z);
         }
 
         /** The radius. */
@@ -63,9 +52,9 @@ package starlogo.fitting.minimal
             var grows:Boolean = true;
             while (grows)
             {
-                var i:int = EnclosingStructures.farthest(points, x, y, z);
+                var i:int = EnclosingStructures.farthest(points, center);
                 var point:Vector.<Number> = new <Number>[points[i] - _origin[0], points[i + 1] - _origin[1], points[i + 2] - _origin[2]];
-                grows = isLarger(EnclosingStructures.squaredDistance(point, 0, _ball.x, _ball.y, _ball.z)) && growTo(point);
+                grows = isLarger(EnclosingStructures.squaredDistance(point, 0, _ball.center)) && growTo(point);
             }
         }
 

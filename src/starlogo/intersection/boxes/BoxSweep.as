@@ -134,12 +134,7 @@ package starlogo.intersection.boxes
         // Clips the interval by an axis, if it is longer than rounding. Returns whether anything is left. @param size at least the length of the axis
         private function clipByAxis(pair:BoxPair, offset:Number, speed:Number, halfExtents:Number, size:Number):Boolean
         {
-            var times:ContactInterval = _times;
-            times.offset = offset;
-            times.speed = speed;
-            times.halfExtents = halfExtents;
-            times.margin = pair.margin * size;
-            return !(size > SHORTEST) || times.clip();
+            return !(size > SHORTEST) || _times.clip(offset, speed, halfExtents, pair.margin * size);
         }
 
         // Clips the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of

@@ -37,16 +37,16 @@ package starlogo.intersection.ray
         {
             structure.setShape(_shape);
             // the part of the line that may be inside
-            var closestDistance:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
+            var closestDistance:Number = (_shape.origin.x - ray.origin.x) * ray.direction.x + (_shape.origin.y - ray.origin.y) * ray.direction.y + (_shape.origin.z - ray.origin.z) * ray.direction.z;
             var reach:Number = 2 * (_shape.boundingRadius + _shape.radius) + Number.MIN_VALUE;
             var near:Number = meetFrom(ray, closestDistance - reach, 2 * reach);
             if (near == Infinity)
             {
                 return false;
             }
-            out.near.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
+            out.near.normal.setTo(_contact.normalX, _contact.normalY, _contact.normalZ);
             var far:Number = meetFrom(ray, closestDistance + reach, -2 * reach);
-            out.far.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
+            out.far.normal.setTo(_contact.normalX, _contact.normalY, _contact.normalZ);
             out.setPlaces(near, far);
             return near <= far && far < Infinity;
         }
@@ -54,11 +54,11 @@ package starlogo.intersection.ray
         // Where a point first meets the shape if it moves by a length from a place on the line, with the contact there. Infinity if it does not.
         private function meetFrom(ray:Ray, from:Number, length:Number):Number
         {
-            _place.setTo(ray.x + from * ray.directionX, ray.y + from * ray.directionY, ray.z + from * ray.directionZ);
+            _place.setTo(ray.origin.x + from * ray.direction.x, ray.origin.y + from * ray.direction.y, ray.origin.z + from * ray.direction.z);
             _point.setPoint(_place);
-            _motion.x = length * ray.directionX;
-            _motion.y = length * ray.directionY;
-            _motion.z = length * ray.directionZ;
+            _motion.x = length * ray.direction.x;
+            _motion.y = length * ray.direction.y;
+            _motion.z = length * ray.direction.z;
             _kernel.findTimeOfImpact(_point, _shape, _motion);
             if (_motion.time == RelativeMotion.NEVER)
             {

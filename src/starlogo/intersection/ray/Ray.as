@@ -1,15 +1,17 @@
 package starlogo.intersection.ray
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * A part of a line, which is asked about. The tests of a ray do not change it. They write where it is inside of a shape to a RaySpan, and where it
      * enters the shape to a RayCrossing.
      *
-     * <p>A place on the line is given by its distance along the direction from the point (x, y, z). The direction has length 1.
-     * That point should be near the shapes that are asked about, because the rounding error grows with their distance from it. The part may
-     * begin far from that point.</p>
+     * <p>A place on the line is given by its distance from the origin along the direction. The origin should be near the shapes that are asked about,
+     * because the rounding error grows with their distance from it. The part may begin far from the origin.</p>
      *
      * @private
      */
@@ -20,14 +22,10 @@ package starlogo.intersection.ray
         private static const LARGE:Number = 1e120;
 
         /** A point of the line. */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        public var origin:Vector3D = new Vector3D();
 
         /** The line's direction, of length 1. */
-        public var directionX:Number = 0;
-        public var directionY:Number = 0;
-        public var directionZ:Number = 0;
+        public var direction:Vector3D = new Vector3D();
 
         /** Where the part begins. */
         public var from:Number = 0;
@@ -35,35 +33,21 @@ package starlogo.intersection.ray
         /** Where the part ends. */
         public var to:Number = Infinity;
 
-        /**
-         * Takes back a placement's size and rotation. Its position is ignored: the line's point must be relative to it already. The part has to be
-         * set after that.
-         */
+        /** Takes back a placement's size and rotation. Its position is ignored: the origin must be relative to it already. The part has to be set after that. */
         public function scaleAndRotateBack(placement:Placement):void
         {
-            var toX:Number = x / placement.size;
-            var toY:Number = y / placement.size;
-            var toZ:Number = z / placement.size;
-            x = placement.r00 * toX + placement.r10 * toY + placement.r20 * toZ;
-            y = placement.r01 * toX + placement.r11 * toY + placement.r21 * toZ;
-            z = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
-            toX = directionX;
-            toY = directionY;
-            toZ = directionZ;
-            directionX = placement.r00 * toX + placement.r10 * toY + placement.r20 * toZ;
-            directionY = placement.r01 * toX + placement.r11 * toY + placement.r21 * toZ;
-            directionZ = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
+            origin.x /= placement.size;
+            origin.y /= placement.size;
+            origin.z /= placement.size;
+            Placement.rotateBack(placement, origin, origin);
+            Placement.rotateBack(placement, direction, direction);
         }
 
         /** Copies the line and the part of another ray. */
         public function copyFrom(other:Ray):void
         {
-            x = other.x;
-            y = other.y;
-            z = other.z;
-            directionX = other.directionX;
-            directionY = other.directionY;
-            directionZ = other.directionZ;
+            origin.copyFrom(other.origin);
+            direction.copyFrom(other.direction);
             from = other.from;
             to = other.to;
         }
@@ -71,7 +55,7 @@ package starlogo.intersection.ray
         /** Whether the products of the line's numbers are finite. */
         public function get isFinite():Boolean
         {
-            return x * x + y * y + z * z < Infinity;
+            return origin.x * origin.x + origin.y * origin.y + origin.z * origin.z < Infinity;
         }
 
         /**
@@ -96,12 +80,8 @@ package starlogo.intersection.ray
             var toY:Number = direction.y / unit;
             var toZ:Number = direction.z / unit;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-            directionX = toX / length;
-            directionY = toY / length;
-            directionZ = toZ / length;
-            x = origin.x;
-            y = origin.y;
-            z = origin.z;
+            this.direction.setTo(toX / length, toY / length, toZ / length);
+            this.origin.setTo(origin.x, origin.y, origin.z);
             from = 0;
             to = Infinity;
         }

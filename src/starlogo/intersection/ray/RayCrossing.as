@@ -1,5 +1,7 @@
 package starlogo.intersection.ray
 {
+    import flash.geom.Vector3D;
+
     /**
      * A place where a ray enters a shape or crosses its surface, as a record. A ray that begins inside of the shape enters it where it begins.
      *
@@ -10,17 +12,11 @@ package starlogo.intersection.ray
         /** A side: the ray begins inside of the shape. */
         public static const INSIDE:int = 2;
 
-        /** A side: the ray enters the shape. */
+        /** A side: the ray enters the shape, or crosses a triangle from the side from which its corners are counter-clockwise. */
         public static const ENTERS:int = 1;
 
-        /** A side: the ray leaves the shape. */
+        /** A side: the ray leaves the shape, or crosses a triangle from the other side. */
         public static const LEAVES:int = -1;
-
-        /** A side: the ray crosses a triangle from the side from which its corners are counter-clockwise. */
-        public static const FRONT:int = 3;
-
-        /** A side: the ray crosses a triangle from the other side. */
-        public static const BACK:int = -3;
 
         /** A side: the ray runs along a triangle, from its distance to its end. */
         public static const EDGE_ON:int = 0;
@@ -29,14 +25,12 @@ package starlogo.intersection.ray
         public var distance:Number = 0;
 
         /** The unit normal of the surface there, against the ray. If the ray begins inside, it is the opposite of the ray's direction. */
-        public var normalX:Number = 0;
-        public var normalY:Number = 0;
-        public var normalZ:Number = 0;
+        public var normal:Vector3D = new Vector3D();
 
         /** The number of the triangle there, as the model counts them. It is -1 if no triangle decides, or if the ray begins inside. */
         public var triangle:int = -1;
 
-        /** INSIDE, ENTERS or LEAVES. For triangles INSIDE, FRONT, BACK or EDGE_ON. A ray's first entry has no side, rounding and end. */
+        /** INSIDE, ENTERS, LEAVES or, at a triangle only, EDGE_ON. A ray's first entry has no side, rounding and end. */
         public var side:int = 0;
 
         /** How far the distance may be wrong because of rounding. */
@@ -49,9 +43,7 @@ package starlogo.intersection.ray
         public function setToStart(ray:Ray):void
         {
             distance = ray.from;
-            normalX = -ray.directionX;
-            normalY = -ray.directionY;
-            normalZ = -ray.directionZ;
+            setNormalAgainst(ray);
             triangle = -1;
         }
 
@@ -68,7 +60,7 @@ package starlogo.intersection.ray
             if (near.touchDistance > ray.from)
             {
                 distance = near.surfaceDistance <= ray.to ? near.surfaceDistance : near.touchDistance;
-                setNormal(ray, near.normalX, near.normalY, near.normalZ);
+                setNormal(ray, near.normal);
             }
             return distance <= span.far.touchDistance && distance <= ray.to;
         }
@@ -84,7 +76,7 @@ package starlogo.intersection.ray
         {
             distance = Math.max(entry.distance, span.far.surfaceDistance);
             triangle = -1;
-            setNormal(ray, span.far.normalX, span.far.normalY, span.far.normalZ);
+            setNormal(ray, span.far.normal);
             return distance <= ray.to;
         }
 
@@ -92,20 +84,22 @@ package starlogo.intersection.ray
          * Sets the normal to the direction of a vector, or to the opposite one if the vector points along the ray. If the vector's length is 0, the normal
          * is the opposite of the ray's direction.
          */
-        public function setNormal(ray:Ray, x:Number, y:Number, z:Number):void
+        public function setNormal(ray:Ray, vector:Vector3D):void
         {
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            var direction:Vector3D = ray.direction;
+            var length:Number = Math.sqrt(vector.x * vector.x + vector.y * vector.y + vector.z * vector.z);
             if (!(length > 0))
             {
-                normalX = -ray.directionX;
-                normalY = -ray.directionY;
-                normalZ = -ray.directionZ;
+                setNormalAgainst(ray);
                 return;
             }
-            length = x * ray.directionX + y * ray.directionY + z * ray.directionZ > 0 ? -length : length;
-            normalX = x / length;
-            normalY = y / length;
-            normalZ = z / length;
+            length = vector.x * direction.x + vector.y * direction.y + vector.z * direction.z > 0 ? -length : length;
+            normal.setTo(vector.x / length, vector.y / length, vector.z / length);
+        }
+
+        private function setNormalAgainst(ray:Ray):void
+        {
+            normal.setTo(-ray.direction.x, -ray.direction.y, -ray.direction.z);
         }
     }
 }

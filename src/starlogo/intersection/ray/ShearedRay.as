@@ -67,20 +67,20 @@ package starlogo.intersection.ray
         {
             _ray = ray;
             first.distance = Infinity;
-            var absX:Number = Math.abs(ray.directionX);
-            var absY:Number = Math.abs(ray.directionY);
-            var absZ:Number = Math.abs(ray.directionZ);
+            var absX:Number = Math.abs(ray.direction.x);
+            var absY:Number = Math.abs(ray.direction.y);
+            var absZ:Number = Math.abs(ray.direction.z);
             _w = absY > absZ ? 1 : 2;
             _w = absX > absY && absX > absZ ? 0 : _w;
             _u = (_w + 1) % 3;
             _v = (_w + 2) % 3;
-            _originU = along(_u, ray.x, ray.y, ray.z);
-            _originV = along(_v, ray.x, ray.y, ray.z);
-            _originW = along(_w, ray.x, ray.y, ray.z);
-            var speed:Number = along(_w, ray.directionX, ray.directionY, ray.directionZ);
+            _originU = along(_u, ray.origin.x, ray.origin.y, ray.origin.z);
+            _originV = along(_v, ray.origin.x, ray.origin.y, ray.origin.z);
+            _originW = along(_w, ray.origin.x, ray.origin.y, ray.origin.z);
+            var speed:Number = along(_w, ray.direction.x, ray.direction.y, ray.direction.z);
             _inverseSpeed = 1 / speed;
-            _shearU = along(_u, ray.directionX, ray.directionY, ray.directionZ) / speed;
-            _shearV = along(_v, ray.directionX, ray.directionY, ray.directionZ) / speed;
+            _shearU = along(_u, ray.direction.x, ray.direction.y, ray.direction.z) / speed;
+            _shearV = along(_v, ray.direction.x, ray.direction.y, ray.direction.z) / speed;
             setRadius(radius);
         }
 
@@ -152,7 +152,7 @@ package starlogo.intersection.ray
         {
             out.triangle = triangle;
             _plane.setTriangle(corners, 0);
-            out.setNormal(_ray, _plane.normal.x, _plane.normal.y, _plane.normal.z);
+            out.setNormal(_ray, _plane.normal);
         }
 
         // Whether a crossing comes before the first one so far, and not after the ray's end. A triangle that is seen edge on has to be a rounding
@@ -225,7 +225,7 @@ package starlogo.intersection.ray
             // along the ray.
             var depth:Number = Math.abs(_inverseSpeed) * (Math.abs(aW - bW) + Math.abs(bW - cW));
             out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * tolerance * (1 + width * depth / Math.abs(sum));
-            out.side = _inverseSpeed * sum > 0 ? RayCrossing.FRONT : RayCrossing.BACK;
+            out.side = _inverseSpeed * sum > 0 ? RayCrossing.ENTERS : RayCrossing.LEAVES;
             return true;
         }
 

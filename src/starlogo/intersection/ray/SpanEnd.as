@@ -1,5 +1,7 @@
 package starlogo.intersection.ray
 {
+    import flash.geom.Vector3D;
+
     /**
      * An end of the part of a ray's line that is inside of a convex shape, as a record. Both distances are along the line, as the ray counts them.
      *
@@ -14,24 +16,14 @@ package starlogo.intersection.ray
         public var surfaceDistance:Number = 0;
 
         /** The direction of the surface's normal there, inwards or outwards. It has any length, and 0 if the shape has no surface. */
-        public var normalX:Number = 0;
-        public var normalY:Number = 0;
-        public var normalZ:Number = 0;
+        public var normal:Vector3D = new Vector3D();
 
         /** Copies another end. */
         public function copyFrom(other:SpanEnd):void
         {
             touchDistance = other.touchDistance;
             surfaceDistance = other.surfaceDistance;
-            setNormal(other.normalX, other.normalY, other.normalZ);
-        }
-
-        /** Sets the direction of the normal. */
-        public function setNormal(x:Number, y:Number, z:Number):void
-        {
-            normalX = x;
-            normalY = y;
-            normalZ = z;
+            normal.copyFrom(other.normal);
         }
     }
 }

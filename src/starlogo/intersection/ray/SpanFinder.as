@@ -69,27 +69,27 @@ package starlogo.intersection.ray
 
         private static function findInBall(ray:Ray, center:Vector3D, radius:Number, out:RaySpan):Boolean
         {
-            var x:Number = ray.x - center.x;
-            var y:Number = ray.y - center.y;
-            var z:Number = ray.z - center.z;
+            var x:Number = ray.origin.x - center.x;
+            var y:Number = ray.origin.y - center.y;
+            var z:Number = ray.origin.z - center.z;
             // The middle of the part, and the vector to it from the centre. It is perpendicular to the line, so no digits cancel (Haines, Günther and
             // Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems, 2019).
-            var closestDistance:Number = -(x * ray.directionX + y * ray.directionY + z * ray.directionZ);
-            x += closestDistance * ray.directionX;
-            y += closestDistance * ray.directionY;
-            z += closestDistance * ray.directionZ;
+            var closestDistance:Number = -(x * ray.direction.x + y * ray.direction.y + z * ray.direction.z);
+            x += closestDistance * ray.direction.x;
+            y += closestDistance * ray.direction.y;
+            z += closestDistance * ray.direction.z;
             var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
             if (!(halfSquared >= 0))
             {
                 return false;
             }
             var half:Number = Math.sqrt(halfSquared);
-            var halfX:Number = half * ray.directionX;
-            var halfY:Number = half * ray.directionY;
-            var halfZ:Number = half * ray.directionZ;
+            var halfX:Number = half * ray.direction.x;
+            var halfY:Number = half * ray.direction.y;
+            var halfZ:Number = half * ray.direction.z;
             out.setPlaces(closestDistance - half, closestDistance + half);
-            out.near.setNormal(x - halfX, y - halfY, z - halfZ);
-            out.far.setNormal(x + halfX, y + halfY, z + halfZ);
+            out.near.normal.setTo(x - halfX, y - halfY, z - halfZ);
+            out.far.normal.setTo(x + halfX, y + halfY, z + halfZ);
             return true;
         }
 
@@ -104,16 +104,16 @@ package starlogo.intersection.ray
             var axisY:Number = end.y - start.y;
             var axisZ:Number = end.z - start.z;
             var squared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
-            var x:Number = ray.x - start.x;
-            var y:Number = ray.y - start.y;
-            var z:Number = ray.z - start.z;
+            var x:Number = ray.origin.x - start.x;
+            var y:Number = ray.origin.y - start.y;
+            var z:Number = ray.origin.z - start.z;
             // As fractions of the axis: the place of the line's point, and how far the line goes along the axis in a length of 1. What is left of the
             // direction is across the axis.
             var fraction:Number = squared > 0 ? (x * axisX + y * axisY + z * axisZ) / squared : 0;
-            var speed:Number = squared > 0 ? (ray.directionX * axisX + ray.directionY * axisY + ray.directionZ * axisZ) / squared : 0;
-            var acrossX:Number = ray.directionX - speed * axisX;
-            var acrossY:Number = ray.directionY - speed * axisY;
-            var acrossZ:Number = ray.directionZ - speed * axisZ;
+            var speed:Number = squared > 0 ? (ray.direction.x * axisX + ray.direction.y * axisY + ray.direction.z * axisZ) / squared : 0;
+            var acrossX:Number = ray.direction.x - speed * axisX;
+            var acrossY:Number = ray.direction.y - speed * axisY;
+            var acrossZ:Number = ray.direction.z - speed * axisZ;
             var acrossSquared:Number = acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ;
             out.setPlaces(-Infinity, Infinity);
             if (acrossSquared > Tolerances.PARALLEL)
@@ -133,8 +133,8 @@ package starlogo.intersection.ray
                 }
                 var half:Number = Math.sqrt(halfSquared / acrossSquared);
                 out.setPlaces(closestDistance - half, closestDistance + half);
-                out.near.setNormal(x - half * acrossX, y - half * acrossY, z - half * acrossZ);
-                out.far.setNormal(x + half * acrossX, y + half * acrossY, z + half * acrossZ);
+                out.near.normal.setTo(x - half * acrossX, y - half * acrossY, z - half * acrossZ);
+                out.far.normal.setTo(x + half * acrossX, y + half * acrossY, z + half * acrossZ);
             }
             var nearFraction:Number = fraction + out.near.touchDistance * speed;
             var farFraction:Number = fraction + out.far.touchDistance * speed;
@@ -177,8 +177,8 @@ package starlogo.intersection.ray
             {
                 var axis:Vector3D = i == 0 ? box.axisX : i == 1 ? box.axisY : box.axisZ;
                 var half:Number = i == 0 ? box.halfX : i == 1 ? box.halfY : box.halfZ;
-                var offset:Number = axis.x * (ray.x - center.x) + axis.y * (ray.y - center.y) + axis.z * (ray.z - center.z);
-                var speed:Number = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
+                var offset:Number = axis.x * (ray.origin.x - center.x) + axis.y * (ray.origin.y - center.y) + axis.z * (ray.origin.z - center.z);
+                var speed:Number = axis.x * ray.direction.x + axis.y * ray.direction.y + axis.z * ray.direction.z;
                 // a line within the planes crosses them at an infinite distance, if its speed is not -0
                 speed = speed == 0 ? 0 : speed;
                 var ahead:Number = speed < 0 ? -half : half;
@@ -205,8 +205,8 @@ package starlogo.intersection.ray
                 return false;
             }
             setPlacesOfFaces(touchNear, crossNear, crossFar, touchFar, out);
-            out.near.setNormal(entered.x, entered.y, entered.z);
-            out.far.setNormal(exited.x, exited.y, exited.z);
+            out.near.normal.setTo(entered.x, entered.y, entered.z);
+            out.far.normal.setTo(exited.x, exited.y, exited.z);
             return true;
         }
 
@@ -215,9 +215,9 @@ package starlogo.intersection.ray
         private static function findInHull(ray:Ray, hull:Hull, out:RaySpan):Boolean
         {
             var center:Vector3D = hull.center;
-            var x:Number = ray.x - center.x;
-            var y:Number = ray.y - center.y;
-            var z:Number = ray.z - center.z;
+            var x:Number = ray.origin.x - center.x;
+            var y:Number = ray.origin.y - center.y;
+            var z:Number = ray.origin.z - center.z;
             var planes:Vector.<Number> = hull.halfSpaces;
             var end:int = planes.length;
             var entered:int = 0;
@@ -229,7 +229,7 @@ package starlogo.intersection.ray
             for (var i:int = 0; i < end; i += 4)
             {
                 var height:Number = planes[i] * x + planes[int(i + 1)] * y + planes[int(i + 2)] * z - planes[int(i + 3)] - hull.radius;
-                var speed:Number = planes[i] * ray.directionX + planes[int(i + 1)] * ray.directionY + planes[int(i + 2)] * ray.directionZ;
+                var speed:Number = planes[i] * ray.direction.x + planes[int(i + 1)] * ray.direction.y + planes[int(i + 2)] * ray.direction.z;
                 var touchingHeight:Number = height - (Tolerances.TOUCHING - 1) * planes[int(i + 3)];
                 if (speed == 0)
                 {
@@ -262,8 +262,8 @@ package starlogo.intersection.ray
                 return false;
             }
             setPlacesOfFaces(touchNear, crossNear, crossFar, touchFar, out);
-            out.near.setNormal(planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
-            out.far.setNormal(planes[exited], planes[int(exited + 1)], planes[int(exited + 2)]);
+            out.near.normal.setTo(planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
+            out.far.normal.setTo(planes[exited], planes[int(exited + 1)], planes[int(exited + 2)]);
             return true;
         }
 

@@ -103,15 +103,15 @@ package starlogo.queries.motion
             var behind:Number = BEHIND_EDGE * walk.body.extent;
             // the ray begins outside of all faces that are not too steep
             var above:Number = 2 * behind / walk.minFloorNormalZ;
-            _ray.x = contact.x - behind * contact.normalX / across;
-            _ray.y = contact.y - behind * contact.normalY / across;
-            _ray.z = contact.z + above;
+            _ray.origin.x = contact.x - behind * contact.normalX / across;
+            _ray.origin.y = contact.y - behind * contact.normalY / across;
+            _ray.origin.z = contact.z + above;
             _ray.to = 2 * above;
-            if (!_rowRays.findRayEntry(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.minFloorNormalZ))
+            if (!_rowRays.findRayEntry(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normal.z >= walk.minFloorNormalZ))
             {
                 return false;
             }
-            out.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
+            out.setTo(_entry.normal.x, _entry.normal.y, _entry.normal.z);
             return true;
         }
     }

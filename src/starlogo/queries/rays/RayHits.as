@@ -66,10 +66,10 @@ package starlogo.queries.rays
             _hits.add(row, entry.distance);
             _listIndices[index] = _seen.table.listed.listIndices[row];
             var contact:ContactPoint = _contacts[index];
-            contact.x = ray.x + entry.distance * ray.directionX;
-            contact.y = ray.y + entry.distance * ray.directionY;
-            contact.z = ray.z + entry.distance * ray.directionZ;
-            contact.setNormal(entry.normalX, entry.normalY, entry.normalZ);
+            contact.x = ray.origin.x + entry.distance * ray.direction.x;
+            contact.y = ray.origin.y + entry.distance * ray.direction.y;
+            contact.z = ray.origin.z + entry.distance * ray.direction.z;
+            contact.setNormal(entry.normal.x, entry.normal.y, entry.normal.z);
             contact.triangle = entry.triangle;
         }
 

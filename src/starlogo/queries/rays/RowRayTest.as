@@ -64,7 +64,7 @@ package starlogo.queries.rays
         // How far the place of a row is along a ray.
         private static function aheadOf(ray:Ray, placement:Placement):Number
         {
-            return (placement.x - ray.x) * ray.directionX + (placement.y - ray.y) * ray.directionY + (placement.z - ray.z) * ray.directionZ;
+            return (placement.x - ray.origin.x) * ray.direction.x + (placement.y - ray.origin.y) * ray.direction.y + (placement.z - ray.origin.z) * ray.direction.z;
         }
 
         /**
@@ -76,12 +76,10 @@ package starlogo.queries.rays
         internal static function bringIntoModel(ray:Ray, placement:Placement, rayInModel:Ray):Boolean
         {
             var ahead:Number = aheadOf(ray, placement);
-            rayInModel.directionX = ray.directionX;
-            rayInModel.directionY = ray.directionY;
-            rayInModel.directionZ = ray.directionZ;
-            rayInModel.x = ahead * rayInModel.directionX - (placement.x - ray.x);
-            rayInModel.y = ahead * rayInModel.directionY - (placement.y - ray.y);
-            rayInModel.z = ahead * rayInModel.directionZ - (placement.z - ray.z);
+            rayInModel.direction.copyFrom(ray.direction);
+            rayInModel.origin.x = ahead * rayInModel.direction.x - (placement.x - ray.origin.x);
+            rayInModel.origin.y = ahead * rayInModel.direction.y - (placement.y - ray.origin.y);
+            rayInModel.origin.z = ahead * rayInModel.direction.z - (placement.z - ray.origin.z);
             var size:Number = placement.size;
             rayInModel.scaleAndRotateBack(placement);
             rayInModel.from = -ahead / size;
@@ -93,12 +91,7 @@ package starlogo.queries.rays
         /** Moves where a ray enters a shape from the model's space into the world. Because of rounding, it may be beyond the ray's end there. */
         internal static function bringIntoWorld(entry:RayCrossing, rayInModel:Ray, placement:Placement, ray:Ray):void
         {
-            var x:Number = entry.normalX;
-            var y:Number = entry.normalY;
-            var z:Number = entry.normalZ;
-            entry.normalX = placement.r00 * x + placement.r01 * y + placement.r02 * z;
-            entry.normalY = placement.r10 * x + placement.r11 * y + placement.r12 * z;
-            entry.normalZ = placement.r20 * x + placement.r21 * y + placement.r22 * z;
+            placement.rotate(entry.normal, entry.normal);
             entry.distance = entry.distance > rayInModel.from ? Math.max(0, entry.distance * placement.size + aheadOf(ray, placement)) : 0;
         }
 

@@ -106,10 +106,10 @@ package starlogo.search.pairs
                 }
             }
             divide(out, count);
-            out.support = shape.x * direction.x + shape.y * direction.y + shape.z * direction.z + (ofCore + shape.radius);
-            out.x += shape.x + shape.radius * direction.x;
-            out.y += shape.y + shape.radius * direction.y;
-            out.z += shape.z + shape.radius * direction.z;
+            out.support = shape.origin.x * direction.x + shape.origin.y * direction.y + shape.origin.z * direction.z + (ofCore + shape.radius);
+            out.x += shape.origin.x + shape.radius * direction.x;
+            out.y += shape.origin.y + shape.radius * direction.y;
+            out.z += shape.origin.z + shape.radius * direction.z;
         }
 
         private static function divide(sum:SupportPoint, count:int):void

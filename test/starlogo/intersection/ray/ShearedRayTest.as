@@ -28,7 +28,7 @@ package starlogo.intersection.ray
                 sheared.addCrossing(new <Number>[a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z], -1, crossings);
                 assertEquals(1, crossings.count);
                 var normal:Vector3D = b.subtract(a).crossProduct(c.subtract(a));
-                assertEquals("triangle " + i, normal.dotProduct(direction) < 0 ? RayCrossing.FRONT : RayCrossing.BACK, crossings.items[0].side);
+                assertEquals("triangle " + i, normal.dotProduct(direction) < 0 ? RayCrossing.ENTERS : RayCrossing.LEAVES, crossings.items[0].side);
             }
         }
     }

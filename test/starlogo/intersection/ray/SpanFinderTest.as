@@ -19,6 +19,7 @@ package starlogo.intersection.ray
     /** Rays against spheres, capsules, boxes and hulls. */
     public class SpanFinderTest
     {
+        private static const CONVEX:ConvexSpanFinder = new ConvexSpanFinder();
         private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX, BoundingStructure.HULL];
 
         [Test]
@@ -211,12 +212,12 @@ package starlogo.intersection.ray
             {
                 assertThrows(ArgumentError, /needs a direction/, ray.aim, new Vector3D(), direction);
             }
-            assertEquals("as it was", 1, ray.directionY);
+            assertEquals("as it was", 1, ray.direction.y);
             for each (var length:Number in [5e-324, 1e-310, 1e-160, 1, 1e160, 1.7e308])
             {
                 ray.aim(new Vector3D(), new Vector3D(length, -length, 0));
-                assertTrue("length " + length, Math.abs(ray.directionX - Math.SQRT1_2) < 1e-15 && Math.abs(ray.directionY + Math.SQRT1_2) < 1e-15);
-                assertEquals(0, ray.directionZ);
+                assertTrue("length " + length, Math.abs(ray.direction.x - Math.SQRT1_2) < 1e-15 && Math.abs(ray.direction.y + Math.SQRT1_2) < 1e-15);
+                assertEquals(0, ray.direction.z);
             }
         }
 
@@ -253,7 +254,7 @@ package starlogo.intersection.ray
 
         private static function assertNormal(message:String, entry:RayCrossing, structure:BoundingStructure, origin:Vector3D, direction:Vector3D):void
         {
-            var normal:Vector3D = new Vector3D(entry.normalX, entry.normalY, entry.normalZ);
+            var normal:Vector3D = entry.normal.clone();
             assertTrue(message + ": length of " + normal, Math.abs(normal.length - 1) < 1e-9);
             assertTrue(message + ": against the ray", normal.dotProduct(direction) < 1e-6);
             if (entry.distance > 0)
@@ -276,7 +277,7 @@ package starlogo.intersection.ray
         private static function enters(ray:Ray, structure:BoundingStructure, out:RayCrossing):Boolean
         {
             var span:RaySpan = new RaySpan();
-            return SpanFinder.find(ray, structure, new ConvexSpanFinder(), span) && out.setToEntry(ray, span);
+            return SpanFinder.find(ray, structure, CONVEX, span) && out.setToEntry(ray, span);
         }
 
         private static function rayOf(origin:Vector3D, direction:Vector3D):Ray

@@ -32,7 +32,7 @@ package starlogo.queries.rays
                     crossing.distance = _random.integer(0, 9);
                     crossing.rounding = _random.pick([0, 0.5, 1, 2]);
                     crossing.end = crossing.distance + _random.integer(0, 3);
-                    crossing.side = _random.pick([RayCrossing.FRONT, RayCrossing.BACK, RayCrossing.FRONT, RayCrossing.BACK, RayCrossing.EDGE_ON]);
+                    crossing.side = _random.pick([RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.EDGE_ON]);
                     all.push(crossing.distance + " with " + crossing.rounding + " from " + crossing.side);
                 }
                 _surfaces.find(crossings, true);

@@ -15,7 +15,7 @@ package starlogo.libraries
     public final class FitSettings
     {
         // Increase it whenever an algorithm of the engine gives other results for the same settings.
-        private static const REVISION:int = 17;
+        private static const REVISION:int = 18;
 
         // The fingerprint of the settings of each section of a cooked file; null if its results are not wanted, or cannot be kept.
         private var _keys:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTION_COUNT, true);

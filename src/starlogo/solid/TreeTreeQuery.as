@@ -131,15 +131,19 @@ package starlogo.solid
             return findComponentIn(_a, _b, pose.placement, placementA, out) || findComponentIn(_b, _a, _inverse, placementB, out);
         }
 
-        // Finds a point of a component of the inner model that is inside of the outer one. Their surfaces do not touch, so one point of each decides. The
-        // pose is that of the inner model in the outer one's space, and the placement that of the outer model. It is asked for all agents that are close but
-        // do not touch, so a ray is cast only if the point is in the box around the outer model.
+        // Finds a corner of a component of the inner model that is inside of the outer one. A component is connected. So if it does not touch the outer
+        // surface, all of it is inside or outside, as this corner is. The pose is that of the inner model in the outer one's space, and the placement that
+        // of the outer model. It is asked for all agents that are close but do not touch, so a ray is cast only if the corner is in the box around the outer
+        // model.
         private function findComponentIn(outer:ModelTree, inner:ModelTree, pose:Placement, placement:Placement, out:ClosestPoints):Boolean
         {
-            var points:Vector.<Number> = inner.preparedInterior().componentPoints;
-            var end:int = outer.preparedInterior().hasClosedShell ? points.length : 0;
-            for (var at:int = 0; at < end; at += 3)
+            var tree:BoxTree = inner.boxTree;
+            var points:Vector.<Number> = tree.vertices;
+            var triangles:Vector.<int> = inner.preparedInterior().surface.componentTriangles;
+            var count:int = outer.preparedInterior().hasClosedShell ? triangles.length : 0;
+            for (var i:int = 0; i < count; i++)
             {
+                var at:int = 3 * tree.triangles[3 * triangles[i]];
                 _point.x = points[at];
                 _point.y = points[int(at + 1)];
                 _point.z = points[int(at + 2)];

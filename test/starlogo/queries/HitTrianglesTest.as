@@ -259,7 +259,32 @@ package starlogo.queries
             assertTrue("told " + told, told > 10 * count);
         }
 
-        // The corners of the triangle with the weights make the point.
+        /** Rounding puts the point a little beside the corner that a ball meets. */
+        [Test]
+        public function aCornerHasNoMoreThanTheWholeWeight():void
+        {
+            var told:int = 0;
+            for (var world:int = 0; world < 60; world++)
+            {
+                var model:Model = soup("soup", 1);
+                var agent:Agent = new Agent("soup");
+                var queries:AgentQueries = queriesOf(model, agent, "triangles");
+                for (var i:int = 0; i < 9; i++)
+                {
+                    var at:int = 3 * model.triangles[i % 3];
+                    var corner:Vector3D = agent.transform.transformVector(new Vector3D(model.vertices[at], model.vertices[at + 1], model.vertices[at + 2]));
+                    var from:Vector3D = new Vector3D(_random.between(-3, 3), _random.between(-3, 3), _random.between(-3, 3));
+                    var way:Vector3D = corner.subtract(from);
+                    var hit:ShapeHit = queries.castShape(new Sphere(from, 0.05), way.x, way.y, way.z);
+                    if (hit != null && hit.time > 0)
+                    {
+                        checkTriangle(model, agent, hit.triangle, hit.point, hit.weights);
+                        told++;
+                    }
+                }
+            }
+            assertTrue("told " + told, told > 200);
+        }
 
         /** Labels number the triangles of the model, not those of a hierarchy that a game has made of other ones. */
         [Test]
@@ -291,6 +316,7 @@ package starlogo.queries
             }
         }
 
+        // The corners of the triangle with the weights make the point.
         private static function checkTriangle(model:Model, agent:Agent, triangle:int, point:Vector3D, weights:Vector3D):void
         {
             var made:Vector3D = new Vector3D();

@@ -113,12 +113,12 @@ package starlogo.solid
         }
 
         [Test]
-        public function eachComponentHasAPoint():void
+        public function eachComponentHasATriangle():void
         {
             for each (var expected:Array in [[SolidModels.crossed(), 3], [SolidModels.doll(), 3], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
             {
                 var hierarchy:ModelTree = hierarchyOf(expected[0].vertices, expected[0].triangles);
-                assertEquals(expected[0].name, 3 * expected[1], hierarchy.preparedInterior().componentPoints.length);
+                assertEquals(expected[0].name, expected[1], hierarchy.preparedInterior().surface.componentTriangles.length);
             }
         }
 

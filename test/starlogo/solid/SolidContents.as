@@ -21,7 +21,7 @@ package starlogo.solid
             }
             var interior:Interior = hierarchy.preparedInterior();
             var surface:SurfaceTopology = interior.surface;
-            return [interior.hasClosedShell, surface.orientedShells, surface.shellStates, surface.widestSeam, interior.welded, interior.componentPoints, interior.tree.cornerOffsets,
+            return [interior.hasClosedShell, surface.orientedShells, surface.shellStates, surface.widestSeam, interior.welded, surface.componentTriangles, interior.tree.cornerOffsets,
                     interior.tree.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 

@@ -75,7 +75,7 @@ package starlogo.solid
                     }
                     var surface:SurfaceTopology = surfaceOf(vertices, triangles);
                     assertEquals(model.name + ", " + rounding, "-1", surface.shellStates.join());
-                    assertEquals(1, surface.componentCount);
+                    assertEquals(1, surface.componentTriangles.length);
                     assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
                 }
             }
@@ -97,7 +97,7 @@ package starlogo.solid
             {
                 triangles.push(24 + cube.triangles[i]);
             }
-            assertEquals(2, surfaceOf(vertices, triangles).componentCount);
+            assertEquals(2, surfaceOf(vertices, triangles).componentTriangles.length);
             assertTrue(surfaceOf(vertices, triangles).hasClosedShell);
             assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
@@ -120,20 +120,20 @@ package starlogo.solid
                 }
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
-            assertEquals(1, surface.componentCount);
+            assertEquals(1, surface.componentTriangles.length);
             assertFalse(surface.hasClosedShell);
             // in a plane across the direction along which an earlier engine sorted vertices
             for (i = 0; i < vertices.length; i += 3)
             {
                 vertices[i] = -(0.2717819 * vertices[i + 1] + 0.7972148 * vertices[i + 2]) / 0.5390711;
             }
-            assertEquals(1, surfaceOf(vertices, triangles).componentCount);
+            assertEquals(1, surfaceOf(vertices, triangles).componentTriangles.length);
             // all in one place
             for (i = 0; i < vertices.length; i++)
             {
                 vertices[i] = 1;
             }
-            assertEquals(1, surfaceOf(vertices, triangles).componentCount);
+            assertEquals(1, surfaceOf(vertices, triangles).componentTriangles.length);
         }
 
         [Test]
@@ -161,14 +161,14 @@ package starlogo.solid
         }
 
         // Bytes of a surface of four triangles, as writeTo() writes them.
-        private static function bytesOf(componentCount:int, shells:int, widestSeam:Number):ByteArray
+        private static function bytesOf(components:int, shells:int, widestSeam:Number):ByteArray
         {
             var bytes:ByteArray = new ByteArray();
-            bytes.writeInt(componentCount);
+            bytes.writeInt(components);
             bytes.writeInt(shells);
             bytes.writeDouble(widestSeam);
             // runs: a number, and where it ends
-            for each (var number:int in [0, shells, 0, 4, 1, 4])
+            for each (var number:int in [0, shells, 0, components, 1, 4])
             {
                 bytes.writeInt(number);
             }
@@ -194,7 +194,7 @@ package starlogo.solid
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
             assertEquals("-1", surface.shellStates.join());
-            assertEquals(1, surface.componentCount);
+            assertEquals(1, surface.componentTriangles.length);
             for each (i in turnedIn(surface))
             {
                 isTurned[i] = !isTurned[i];

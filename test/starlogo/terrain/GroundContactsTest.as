@@ -161,7 +161,7 @@ package starlogo.terrain
                 {
                     touches++;
                     var contact:Contact = collider.contactOf(agent, terrain.agent);
-                    _wrong.addIf(contact.depth > 2 * HAIR, name + ", " + agent.shape, [i, contact.depth, "along", contact.normal].join(" "));
+                    _wrong.addIf(contact.depth > 2 * HAIR + ROUNDING * from, name + ", " + agent.shape, [from, contact.depth, "along", contact.normal].join(" "));
                 }
             }
             _wrong.assertNone();

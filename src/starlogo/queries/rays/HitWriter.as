@@ -83,10 +83,11 @@ package starlogo.queries.rays
             hit.weights.z = weightOf(2);
         }
 
-        // SimplexPart gives a corner that has no share of the point the weight LEAST_WEIGHT.
+        // SimplexPart gives a corner that has no share of the point the weight LEAST_WEIGHT. Rounding may take the weight of a corner at the point above 1.
         private function weightOf(corner:int):Number
         {
-            return _nearest.weights[corner] > SimplexPart.LEAST_WEIGHT ? _nearest.weights[corner] : 0;
+            var weight:Number = _nearest.weights[corner];
+            return weight > SimplexPart.LEAST_WEIGHT ? Math.min(1, weight) : 0;
         }
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void

@@ -1,6 +1,5 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.zeroedInts;
     import starlogo.steps.StepSequence;
 
     /** Finds the components of a surface, in steps: sets of triangles that are connected over vertices. */
@@ -14,9 +13,9 @@ package starlogo.solid.interior
         // For each vertex, the first one at its place.
         private var _welded:Vector.<int>;
 
-        // The sets of connected vertices. For the representative of a set, one more than the number of its component, or 0 as long as it has none.
+        // The sets of connected vertices. For the representative of a set, whether a triangle of its component is found.
         private var _sets:DisjointSets;
-        private var _componentOfSet:Vector.<int>;
+        private var _isFound:Vector.<Boolean>;
 
         /**
          * @param surface receives the components
@@ -29,8 +28,8 @@ package starlogo.solid.interior
             _triangles = triangles;
             _welded = welded;
             _sets = new DisjointSets(welded.length);
-            _componentOfSet = zeroedInts(welded.length);
-            slices(triangles.length / 3, TRIANGLES_PER_STEP, joinVertices).slices(triangles.length / 3, TRIANGLES_PER_STEP, numberComponents);
+            _isFound = new Vector.<Boolean>(welded.length, true);
+            slices(triangles.length / 3, TRIANGLES_PER_STEP, joinVertices).slices(triangles.length / 3, TRIANGLES_PER_STEP, findComponents);
         }
 
         private function joinVertices(first:int, end:int):void
@@ -43,16 +42,16 @@ package starlogo.solid.interior
             }
         }
 
-        private function numberComponents(first:int, end:int):void
+        private function findComponents(first:int, end:int):void
         {
             for (var triangle:int = first; triangle < end; triangle++)
             {
                 var root:int = _sets.rootOf(_welded[_triangles[3 * triangle]]);
-                if (_componentOfSet[root] == 0)
+                if (!_isFound[root])
                 {
-                    _componentOfSet[root] = ++_surface.componentCount;
+                    _isFound[root] = true;
+                    _surface.componentTriangles.push(triangle);
                 }
-                _surface.components[triangle] = _componentOfSet[root] - 1;
             }
         }
     }

@@ -42,12 +42,6 @@ package starlogo.solid.interior
         /** Whether at least one shell of the surface is closed, so that it has an inside. Known when the surface is complete. */
         public var hasClosedShell:Boolean = false;
 
-        /**
-         * A point of each component of the surface: x, y, z. A component is connected. So if it does not touch another surface, all of it is inside of that
-         * one or outside, as its point is. Known when the surface is complete.
-         */
-        public var componentPoints:Vector.<Number> = null;
-
         // How often each shell winds around the point of the last countWindings(), or 0 if a cavity of it does. Null before that.
         private var _windings:Vector.<int> = null;
 

@@ -1,20 +1,17 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.zeroedNumbers;
     import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
      * Prepares a model for exact tests, in steps: which vertices are at the same place; the surface that the triangles make, which takes most of the
-     * time; a point of each of its components. A surface that is known already is not found again.
+     * time. A surface that is known already is not found again.
      *
      * @private
      */
     public final class InteriorBuilder extends StepSequence
     {
-        private static const TRIANGLES_PER_STEP:int = 400;
-
         /** What is inside of the triangles, and their surface: complete when no step is left. */
         public var interior:Interior;
 
@@ -37,7 +34,10 @@ package starlogo.solid.interior
             {
                 begin(findSurface);
             }
-            call(beginPoints).slices(tree.primitiveCount, TRIANGLES_PER_STEP, takePoints);
+            call(function():void
+                {
+                    interior.hasClosedShell = interior.surface.hasClosedShell;
+                });
         }
 
         private function takeSeams():void
@@ -59,27 +59,6 @@ package starlogo.solid.interior
                 {
                     return new CavityFinder(interior, shells, _welder.welded);
                 });
-        }
-
-        private function beginPoints():void
-        {
-            interior.hasClosedShell = interior.surface.hasClosedShell;
-            interior.componentPoints = zeroedNumbers(3 * interior.surface.componentCount);
-        }
-
-        // Takes a corner of each triangle as the point of its component. The last one counts.
-        private function takePoints(first:int, end:int):void
-        {
-            var tree:BoxTree = interior.tree;
-            for (var index:int = first; index < end; index++)
-            {
-                var to:int = 3 * interior.surface.components[tree.primitives[index]];
-                var from:int = tree.cornerOffsets[int(3 * index)];
-                for (var axis:int = 0; axis < 3; axis++)
-                {
-                    interior.componentPoints[int(to + axis)] = tree.vertices[int(from + axis)];
-                }
-            }
         }
     }
 }

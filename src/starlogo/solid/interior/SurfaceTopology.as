@@ -23,13 +23,8 @@ package starlogo.solid.interior
         // The number of components, the number of shells, and the widest seam.
         private static const HEAD_LENGTH:int = 16;
 
-        /** The number of components. */
-        public var componentCount:int = 0;
-
-        /**
-         * For each triangle, in the model's order, the number of its component. Triangles that share vertices are in one component.
-         */
-        public var components:Vector.<int>;
+        /** For each component, the number of one of its triangles. Triangles that share vertices are in one component. */
+        public var componentTriangles:Vector.<int> = new Vector.<int>();
 
         /**
          * For each triangle, in the model's order, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are
@@ -52,7 +47,6 @@ package starlogo.solid.interior
          */
         public function SurfaceTopology(triangleCount:int)
         {
-            components = zeroedInts(triangleCount);
             orientedShells = zeroedInts(triangleCount);
         }
 
@@ -101,16 +95,17 @@ package starlogo.solid.interior
                 return null;
             }
             var surface:SurfaceTopology = new SurfaceTopology(triangleCount);
-            surface.componentCount = bytes.readInt();
+            var components:int = bytes.readInt();
             var shells:int = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            if (!(shells >= 0 && shells <= triangleCount && surface.componentCount <= triangleCount
+            if (!(shells >= 0 && shells <= triangleCount && components >= 0 && components <= triangleCount
                         && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
             {
                 return null;
             }
+            surface.componentTriangles.length = components;
             surface.shellStates.length = shells;
-            var isRead:Boolean = readRuns(bytes, surface.shellStates, OPEN, shells - 1) && readRuns(bytes, surface.components, 0, surface.componentCount - 1)
+            var isRead:Boolean = readRuns(bytes, surface.shellStates, OPEN, shells - 1) && readRuns(bytes, surface.componentTriangles, 0, triangleCount - 1)
                 && readRuns(bytes, surface.orientedShells, -shells, shells);
             return isRead ? surface : null;
         }
@@ -120,11 +115,11 @@ package starlogo.solid.interior
          */
         public function writeTo(out:ByteArray):void
         {
-            out.writeInt(componentCount);
+            out.writeInt(componentTriangles.length);
             out.writeInt(shellStates.length);
             out.writeDouble(widestSeam);
             writeRuns(out, shellStates);
-            writeRuns(out, components);
+            writeRuns(out, componentTriangles);
             writeRuns(out, orientedShells);
         }
 

@@ -45,7 +45,7 @@ package starlogo.libraries
                 }
             }
             assertTrue("fits.json has not as many volumes of each model as there are fitters here. Write what Node says (./antw module-test "
-                + "-Dtest=FittersOfModelsTest), not the player, to test/fixtures/models/fits.json:\n{\n" + lines.join(",\n") + "\n}", areKnown);
+                    + "-Dtest=FittersOfModelsTest), not the player, to test/fixtures/models/fits.json:\n{\n" + lines.join(",\n") + "\n}", areKnown);
             trace("  " + count + " volumes, the largest difference " + largest);
             assertTrue(count >= 12 * 9);
         }

@@ -30,6 +30,11 @@ export function isInstalled(lock, installed) {
 		&& Object.keys(there).every((name) => name in wanted);
 }
 
+/** Whether what npm said of its failure is that it reached no server. */
+function saysItIsOffline(said) {
+	return /\b(?:EAI_AGAIN|ENOTFOUND|ECONNREFUSED|ECONNRESET|ENETUNREACH|EHOSTUNREACH|ETIMEDOUT|ERR_SOCKET_TIMEOUT)\b/.test(said);
+}
+
 function install(folder, what) {
 	const read = (file) => JSON.parse(readFileSync(path.join(folder, file), 'utf8'));
 	const lock = read('package-lock.json');
@@ -41,10 +46,18 @@ function install(folder, what) {
 		const count = names.filter((name) => existsSync(path.join(folder, name, 'package.json'))).length;
 		console.log(`${Math.round((Date.now() - start) / 1000)} s: ${count} of ${names.length} packages`);
 	}, SIGN_OF_LIFE_MS);
-	const npm = spawn('npm', ['ci', '--no-progress', '--loglevel=error'], { cwd: folder, stdio: 'inherit' });
+	// by itself it asks a server that it does not reach for more than a minute
+	const npm = spawn('npm', ['ci', '--no-progress', '--loglevel=error', '--fetch-retry-mintimeout=2000', '--fetch-retry-maxtimeout=10000'], { cwd: folder, stdio: ['inherit', 'inherit', 'pipe'] });
+	let said = '';
+	npm.stderr.on('data', (data) => {
+		said += data;
+		process.stderr.write(data);
+	});
 	npm.on('error', (error) => console.error(`npm does not start: ${error.message}`));
 	npm.on('close', (status) => {
 		clearInterval(signs);
+		// antw says such a line last, and not the status of this program
+		if (status !== 0 && saysItIsOffline(said)) console.log('FAILED npm reaches no registry: the first build needs a network, docs/building.md');
 		process.exitCode = status ?? 1;
 	});
 }

@@ -38,6 +38,7 @@ function newest(folders) {
  * @returns {Promise<{url: string, close: () => void}>} the address of the index
  */
 export async function serveExamples(port = 0) {
+	if (!existsSync(path.join(root, 'bin/module/package.json'))) throw new Error('the examples need bin/module: run ./antw module first');
 	const folders = Object.entries(FOLDERS).map(([at, below]) => [at, below.map((folder) => path.join(root, folder))]);
 	const { url, close } = await serve(pageAt, Object.fromEntries(folders), { port });
 	return { url: `${url}examples/`, close };

@@ -206,6 +206,12 @@ test('tests that fail without a player are named, whatever Node prints', () => {
 	assert.deepEqual([failuresIn(said("'1 is not 2'")), failuresIn(said("'2 subtests failed'"))], [['adds two: 1 is not 2'], ['adds two']]);
 	const compared = '|-\n    Expected values to be equal:\n    + actual - expected\n    \n      [\n    +   3,\n    +   4\n      ]';
 	assert.deepEqual(failuresIn(said(compared)), ['adds two: Expected values to be equal: 3,']);
+	assert.deepEqual(failuresIn(said(compared.replace('Expected values to be equal', '3 and 4'))), ['adds two: 3 and 4']);
+	const ofTexts = "|-\n    Expected values to be equal:\n    + actual - expected\n    \n    + 'a\\nb'\n    - ''";
+	assert.deepEqual(failuresIn(said(ofTexts)), ["adds two: Expected values to be equal: 'a\\nb'"]);
+	assert.deepEqual(failuresIn(said("|-\n    Expected values to be equal:\n    \n    'a' !== 'b'\n    ")), ["adds two: Expected values to be equal: 'a' !== 'b'"]);
+	const ofLists = '|-\n    Expected values to be equal:\n    + actual - expected\n    \n    + [\n    +   [\n    +     1,\n    +   ]\n    + ]\n    - []';
+	assert.deepEqual([failuresIn(said(ofLists)), failuresIn(said('"it\'s 1"'))], [['adds two: Expected values to be equal: 1,'], ["adds two: it's 1"]]);
 	const failure = 'not ok 2 - adds two\n  ---\n  error: |-\n    1, not 2\n  ...';
 	assert.equal(saidOf(`TAP version 13\nok 1 - adds one\n  ---\n  duration_ms: 1\n  ...\n${failure}\nok 3 - adds three\n  ---\n  ...\n1..3\n`), failure);
 	assert.equal(saidOf('TAP version 13\n'), 'TAP version 13\n');

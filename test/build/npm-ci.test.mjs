@@ -28,9 +28,9 @@ test('what npm has installed is compared with the lock file, package by package'
 const folder = mkdtempSync(path.join(tmpdir(), 'npm-ci-'));
 after(() => rmSync(folder, { recursive: true }));
 
-// An npm that installs what THERE says, or fails.
-function run(status = 0) {
-	writeFileSync(path.join(folder, 'npm'), `#!/bin/sh\necho "$@" > ran\ncp there node_modules/.package-lock.json\nexit ${status}\n`);
+// An npm that installs what THERE says, or says something and fails.
+function run(status = 0, said = '') {
+	writeFileSync(path.join(folder, 'npm'), `#!/bin/sh\necho "$@" > ran\nprintf '%s' '${said}' >&2\ncp there node_modules/.package-lock.json\nexit ${status}\n`);
 	chmodSync(path.join(folder, 'npm'), 0o755);
 	rmSync(path.join(folder, 'ran'), { force: true });
 	return spawnSync(process.execPath, [script, folder, 'two packages'], { encoding: 'utf8', env: { ...process.env, PATH: `${folder}:${process.env.PATH}` } });
@@ -49,4 +49,12 @@ test('npm runs when the lock file says something else, and not again', () => {
 	// a checkout writes the file anew
 	writeFileSync(path.join(folder, 'package-lock.json'), JSON.stringify(LOCK));
 	assert.equal(run().stdout, '');
+});
+
+test('without a network that is what is said, last', () => {
+	writeFileSync(path.join(folder, 'package-lock.json'), JSON.stringify({ packages: { ...LOCK.packages, 'node_modules/two': { version: '1.0.0' } } }));
+	const offline = run(1, 'npm error code EAI_AGAIN');
+	assert.deepEqual([offline.stderr, offline.status], ['npm error code EAI_AGAIN', 1]);
+	assert.match(offline.stdout, /\nFAILED npm reaches no registry: the first build needs a network, docs\/building\.md\n$/);
+	assert.equal(run(1, 'npm error code EUSAGE').stdout, 'Fetching two packages\n');
 });

@@ -18,6 +18,9 @@ function random(seed) {
 	return next;
 }
 
+/** How to play a game again. */
+const again = seed => `Once more: node test/fuzz/kept.mjs ${seed} ${seed + 1}, after ./antw module`;
+
 /** Plays a game. Returns what it was like; throws an Error with the first difference. */
 export function play(seed, most = 300) {
 	const chance = random(seed);
@@ -164,12 +167,13 @@ export function play(seed, most = 300) {
 		const differs = kept.calls.length != full.calls.length || kept.calls.findIndex((call, i) => call != full.calls[i]);
 		if (differs !== -1 && differs !== false) {
 			const at = differs === true ? kept.calls.findIndex((call, i) => call != full.calls[i]) : differs;
-			throw new Error(`game ${seed}, frame ${frame} (${kind.name}): call ${at} of ${kept.calls.length} is ${kept.calls[at]} (before it ${kept.calls[at - 1]}), `
-				+ `and of ${full.calls.length} in a search of all it is ${full.calls[at]}`);
+			const said = (side) => side.calls[at] === undefined ? "no call" : `"${side.calls[at]}"`;
+			throw new Error(`${kind.name}: the Collision that goes on from the last frame makes other calls than one that searches anew: ${said(kept)} in place of ${said(full)}. `
+				+ `They are the calls ${at + 1} of ${kept.calls.length} and of ${full.calls.length} in frame ${frame}, as "handler, id, id". ${again(seed)}`);
 		}
 		for (const count of ["agents", "agentsSkipped", "agentsLoading", "collisions", "handlerCalls"]) {
-			if (kept.collision.statistics[count] !== full.collision.statistics[count]) throw new Error(`game ${seed}, frame ${frame}: ${count} are `
-				+ `${kept.collision.statistics[count]}, and ${full.collision.statistics[count]} in a search of all`);
+			if (kept.collision.statistics[count] !== full.collision.statistics[count]) throw new Error(`frame ${frame}: statistics.${count} is `
+				+ `${kept.collision.statistics[count]}, and ${full.collision.statistics[count]} in a search of all. ${again(seed)}`);
 		}
 		// the second goes back to this frame, so it keeps no pairs for the next one
 		const bytes = full.collision.snapshot();
@@ -185,7 +189,7 @@ if (process.argv[1].endsWith("kept.mjs")) {
 		try {
 			const game = play(seed);
 			calls += game.calls; partial += game.partial; frames += game.frames;
-		} catch (error) { found++; console.log(error.message.startsWith("game") ? error.message : error.stack); if (found > 8) break; }
+		} catch (error) { found++; console.log(error.message.includes("Once more: ") ? error.message : error.stack); if (found > 8) break; }
 	}
 	console.log(`${end - first} games, ${frames} frames, ${partial} with fewer candidates, ${calls} calls: ${found} found`);
 	process.exitCode = found ? 1 : 0;

@@ -27,7 +27,7 @@ import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { choose } from "../runner/chosen.mjs";
-import { fartherTests, testFilesOf } from "../runner/farther.mjs";
+import { fartherTests, nameInNode } from "../runner/farther.mjs";
 import { readTests } from "../runner/test-classes.mjs";
 import { randomNumbers } from "../module/random.mjs";
 import { placesIn } from "./places.mjs";
@@ -74,7 +74,7 @@ function testsOf(name, line) {
 	const choice = choose(`${name}.as`, known.classes, known.sources);
 	const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
 	if (all !== "chosen") return { order: [...near, SOAK] };
-	return { order: near, files: testFilesOf(choice.named), farther: fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`) };
+	return { order: near, farther: fartherTests(choice, known.classes, known.sources).map(nameInNode) };
 }
 
 function runTests(file, options) {
@@ -113,7 +113,7 @@ const sound = new Set();
 /** Ends the program if a test, or a file of tests, fails without a change too, because then it says nothing of one. */
 function requireSound(test) {
 	if (sound.has(test) || !test.includes(".")) return;
-	if (firstFailure(tests, test.endsWith(".mjs") ? { order: [], files: [test] } : { order: [test] }) !== null) {
+	if (firstFailure(tests, { order: [test] }) !== null) {
 		rmSync(file, { force: true });
 		console.error(`${test} fails without a change too: mend it first`);
 		process.exit(1);

@@ -193,7 +193,7 @@ test('all other classes that use a source by any files between have tests farthe
 	assert.ok(all.some(([name, test]) => name.endsWith('.ExactStructuresTest') && test === 'moving'));
 });
 
-test('of the tests farther off the room\'s own are first, then the broad ones, then those of the room that take long, then all others', () => {
+test('of the tests farther off those that name the source are first, then the room\'s own, then the broad ones, then those of the room that take long, then all others', () => {
 	const sources = new Map([['s.a.low', 'package s.a { public function low() {} }'], ['s.b.High', 'import s.a.low;']]);
 	const text = '[Test]\n public function one\n [Test]\n public function two\n import ';
 	const of = (name, used) => [name, `${text} ${used};`];
@@ -201,7 +201,7 @@ test('of the tests farther off the room\'s own are first, then the broad ones, t
 	const choice = { tests: new Map([['s.c.FirstTest', null]]), farther: new Set(['s.c.FirstTest']), named: ['s.a.low'] };
 	const found = fartherTests(choice, classes, sources, new Set(['s.c.FirstTest.one', 's.c.LongTest', 's.a.in.LongRoomTest', `s.c.${BROAD[2]}`, `s.c.${BROAD[3]}`]));
 	const both = (name) => [`${name}.one`, `${name}.two`];
-	assert.deepEqual(found.map((each) => each.join('.')), [...both('s.a.RoomTest'), ...BROAD.slice(2, 4).flatMap((name) => both(`s.c.${name}`)), ...both('s.a.in.LongRoomTest'), 's.c.FirstTest.two', ...both('s.c.FarTest'), 's.c.FirstTest.one', ...both('s.c.LongTest')]);
+	assert.deepEqual(found.map((each) => each.join('.')), ['s.c.FirstTest.two', ...both('s.a.RoomTest'), ...BROAD.slice(2, 4).flatMap((name) => both(`s.c.${name}`)), ...both('s.a.in.LongRoomTest'), ...both('s.c.FarTest'), 's.c.FirstTest.one', ...both('s.c.LongTest')]);
 	const tests = [...known.classes].flatMap(([name, each]) => [name.split('.').pop(), ...testsIn(each).map((test) => `${name.split('.').pop()}.${test}`)]);
 	for (const name of BROAD) assert.ok(tests.includes(name), name);
 });
@@ -212,7 +212,18 @@ test('of the tests farther off those come first that share a rare word of the so
 	const common = ['One', 'Two', 'Three', 'Four', 'Five', 'Six', 'Seven', 'Eight', 'Nine'].map((which) => `s.c.${which}PairTest`);
 	const classes = new Map([...common, 's.a.RoomTest', 's.c.EdgesTest'].map(of));
 	const found = fartherTests({ tests: new Map(), farther: new Set(), named: ['s.a.EdgePairTests'] }, classes, sources, new Set(['s.c.EdgesTest']));
-	assert.deepEqual(found.slice(0, 3).map(([name]) => name), ['s.c.EdgesTest', 's.a.RoomTest', 's.c.OnePairTest']);
+	assert.deepEqual(found.slice(0, 2).map(([name]) => name), ['s.c.EdgesTest', 's.c.OnePairTest']);
+});
+
+test('of the tests farther off those come before all that have two words of the source\'s name, and of those that name it the ones that do so most', () => {
+	const sources = new Map([['s.a.PlatformCarry', 'package s.a {}']]);
+	const text = (...names) => `[Test]\n public function ${names[0]}\n [Test]\n public function other\n ${names.slice(1).join(' ')}`;
+	const use = 'import s.a.PlatformCarry;';
+	const classes = new Map([['s.a.RoomTest', text('one', use)], ['s.c.OftenTest', text('one', use, 'new PlatformCarry()')], ['s.c.WalkTest', text('aPlatformCarries', 'Walk')]]);
+	const found = fartherTests({ tests: new Map(), farther: new Set(classes.keys()), named: ['s.a.PlatformCarry'] }, classes, sources, new Set());
+	assert.deepEqual(found.map((each) => each.join('.')), ['s.c.WalkTest.aPlatformCarries', 's.c.OftenTest.one', 's.c.OftenTest.other', 's.a.RoomTest.one', 's.a.RoomTest.other', 's.c.WalkTest.other']);
+	const firstOf = (source) => fartherTests(choose(source, known.classes, known.sources), known.classes, known.sources)[0].join('.');
+	assert.match(firstOf('PlatformCarry.as'), /\.(WalkPushTest\.aPlatformCarries|SnapshotTest\.aGrowingPlatformCarriesAsItWouldHave)$/);
 });
 
 test('tests without a player run with the sources of the packages that they say they check', () => {
@@ -231,9 +242,10 @@ test('all of a choice can be left to Node: classes and tests by their names, a p
 		const read = (name) => readFileSync(path.join(out, name), 'utf8');
 		return status === 0 ? { ...JSON.parse(read('choice.json')), ...Object.fromEntries(read('tests.properties').trim().split('\n').map((line) => line.split('='))) } : null;
 	};
-	const { order, farther, files, of, pages, none, node } = list('src/starlogo/search/ChangedRows.as');
+	const { order, farther, of, pages, none, node } = list('src/starlogo/search/ChangedRows.as');
 	assert.ok(order.includes('ChangedRowsTest') && farther.some((name) => name.startsWith('SoakTest.')));
-	assert.deepEqual([files, of, pages, none, node], [['test/fuzz/kept.test.mjs'], ['starlogo.search.ChangedRows'], undefined, 'true', 'true']);
+	assert.ok(farther.indexOf('test/fuzz/kept.test.mjs') < farther.indexOf('SoakTest.whatAGameSeesIsTheSameEverywhere'));
+	assert.deepEqual([of, pages, none, node], [['starlogo.search.ChangedRows'], undefined, 'true', 'true']);
 	assert.deepEqual(list('src/starlogo/search/ChangedRows.as', '--full').farther, []);
 	assert.deepEqual(list('BoxTest.rotatesAboutTheOrigin').order, ['BoxTest.rotatesAboutTheOrigin']);
 	const page = list('terrain.md');

@@ -1,7 +1,6 @@
-/** What Node runs after the tests that were chosen: tests farther off, and tests without a player. */
-import { existsSync, readFileSync } from 'node:fs';
+/** What Node runs of a source after the tests that were chosen: the other tests that use it, and tests without a player, the nearest first. */
 import { SAMPLES_IN_JAVASCRIPT, fencesIn } from '../docs/samples.mjs';
-import { filesBelow, read } from '../structure/sources.mjs';
+import { filesBelow, read, usesIn } from '../structure/sources.mjs';
 import { inNodeAlone, simpleName, testsIn } from './test-classes.mjs';
 import { users } from './users.mjs';
 
@@ -27,19 +26,28 @@ export const BROAD = [
 	'CallsOfGamesTest',
 ];
 
-/** The first test that a file names, a line each, and that is not of a hash; nothing if there is none, or no file. */
-export function failureIn(file) {
-	return existsSync(file) ? readFileSync(file, 'utf8').split('\n').find((name) => name !== '' && !OF_HASHES.includes(name)) : undefined;
-}
-
 /** The room of a class: starlogo.models of starlogo.models.gltf.GltfReader. */
 const roomOf = (name) => name.split('.').slice(0, -1).slice(0, 2).join('.');
 
 /** A word that more names of test classes have says nothing of what they test. */
 const RARE = 8;
 
-/** The words of a class's name, in small letters and without a plural's s: edge, pair and test of EdgePairTests. */
-const wordsOf = (name) => simpleName(name).match(/[A-Z]?[a-z0-9]+|[A-Z]+/g).map((word) => word.toLowerCase().replace(/s$/, ''));
+/** The words of a name, in small letters and without a plural's s: edge and pair of EdgePairTests. */
+const wordsOf = (name) => simpleName(name).match(/[A-Z]?[a-z0-9]+|[A-Z]+/g)
+	.map((word) => word.toLowerCase().replace(/ies$/, 'y').replace(/s$/, '')).filter((word) => word !== 'test');
+
+/** Whether the names of a class and of a test have two words of a source's name. */
+function haveTwoWords([name, test], source) {
+	const words = [...wordsOf(name), ...wordsOf(test)];
+	return wordsOf(source).filter((word) => words.includes(word)).length > 1;
+}
+
+/** The classes that name some sources, those first in which these names are the largest part of the text. */
+function naming(sources, classes) {
+	const countIn = (name, text) => usesIn(name, text, sources).reduce((sum, source) => sum + text.split(simpleName(source)).length - 1, 0);
+	const shares = [...classes].map(([name, text]) => [name, countIn(name, text) / text.length]).filter(([, share]) => share > 0);
+	return shares.sort(([, a], [, b]) => b - a).map(([name]) => name);
+}
 
 /** The names that have a word of a source's name, if few have it. */
 function namesakes(sources, names) {
@@ -49,16 +57,17 @@ function namesakes(sources, names) {
 }
 
 /**
- * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest: those whose names
- * have a rare word of a source's name; those of the sources' own room, which say most; then BROAD, whose games and questions run most of the engine; then those of the room that take
- * long; then those of other rooms that count as farther, and all other classes that use the source, by any number of files between. Of
- * these last too those that take long come after the others. Of two of a kind the nearer is first.
+ * The tests that use the sources that a pattern names and were not chosen to run first, in the order in which they find a fault soonest:
+ * those whose names have two words of a source's name, or a rare one; those that name the source, the more often the sooner; the tests
+ * without a player that check it; those of the sources' own room; then BROAD, whose games and questions run most of the engine; then those of
+ * the room that take long; then those of other rooms that count as farther, and all other classes that use the source, by any number of files
+ * between. Of these last too those that take long come after the others. Of two of a kind the nearer is first.
  *
  * @param {{ tests: Map<string, string[] | null>, farther: Set<string>, named: string[] }} choice what choose() found
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
  * @param {Map<string, string>} sources the texts of the other files
  * @param {Set<string>} long the classes and tests that take long
- * @returns {[string, string][]} the class and the name of each
+ * @returns {[string, string | undefined][]} the class and the name of each, or a file of tests without a player
  */
 export function fartherTests({ tests, farther, named }, classes, sources, long = inNodeAlone()) {
 	const usersOfAll = named.flatMap((source) => [...users(source, classes, sources)].flat());
@@ -67,16 +76,24 @@ export function fartherTests({ tests, farther, named }, classes, sources, long =
 	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
 	const rooms = new Set(named.map(roomOf));
 	const isNamesake = namesakes(named, [...classes.keys()]);
+	const ofNames = naming(named, classes);
 	const place = (each) => {
 		const [name, test] = each;
-		if (isNamesake.has(name)) return -1;
+		if (test === undefined) return -1;
+		if (named.some((source) => haveTwoWords(each, source))) return -4;
+		if (isNamesake.has(name)) return -3;
+		if (ofNames.includes(name) && !isLong(each)) return -2 + ofNames.indexOf(name) / ofNames.length;
 		const broad = BROAD.findIndex((wanted) => [simpleName(name), `${simpleName(name)}.${test}`].includes(wanted));
 		if (broad >= 0) return 1 + broad / BROAD.length;
 		if (rooms.has(roomOf(name))) return isLong(each) ? 2 : 0;
 		return (farther.has(name) ? 3 : 4) + (isLong(each) ? 2 : 0);
 	};
-	return [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test])).sort((a, b) => place(a) - place(b));
+	const found = [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test]));
+	return [...found, ...testFilesOf(named).map((file) => [file])].sort((a, b) => place(a) - place(b));
 }
+
+/** What the runner calls a class's test: without the package. A file has its path. */
+export const nameInNode = ([name, test]) => (test === undefined ? name : `${simpleName(name)}.${test}`);
 
 /**
  * The files of tests without a player that check some sources on the module of the engine and the tests: those whose first comment says

@@ -29,7 +29,7 @@ import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { root } from '../structure/sources.mjs';
 import { choose, chooseAll, nearestNames, testsBefore } from './chosen.mjs';
-import { fartherTests, testFilesOf, testsOfPages } from './farther.mjs';
+import { fartherTests, nameInNode, testsOfPages } from './farther.mjs';
 import { inNodeAlone, readTests, simpleName, testsIn } from './test-classes.mjs';
 import { NOT_HERE, needsPlayer } from './not-here.mjs';
 
@@ -58,12 +58,12 @@ const inNode = isShared ? inNodeAlone() : new Set();
 const inSwf = isNode ? new Map() : testsOfSwf();
 const order = given === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
 const beyond = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !isWhollyInSwf(name)) : [];
-const fartherInNode = beyond.map(([name, test]) => `${simpleName(name)}.${test}`);
-const files = isShared ? testFilesOf(named) : [];
+const fartherInNode = beyond.map(nameInNode);
+const files = fartherInNode.filter((name) => name.endsWith('.mjs'));
 
 sayChoice();
 write('AllTests.as', allTests([...inSwf.keys()]));
-write('choice.json', JSON.stringify({ order, files, farther: fartherInNode, of: named }));
+write('choice.json', JSON.stringify({ order, farther: fartherInNode, of: named }));
 const known = Object.entries(properties()).filter(([, value]) => value !== false);
 write('tests.properties', known.map(([name, value]) => `${name}=${value}\n`).join(''));
 
@@ -101,8 +101,14 @@ function testsWithAway3d() {
 	return [...choose(pattern, all, sources).tests].filter(([name]) => needsAway3d(name));
 }
 
-/** Says that the pattern names nothing, and what is meant perhaps. Ends the program. */
+/** Says that the pattern names no tests for this command, and what is meant perhaps. Ends the program. */
 function refuse() {
+	const [, folder, example] = /^(?:\.\/)?examples\/(flash\/)?(\w[\w-]*)\.(?:html|as)$/.exec(pattern) ?? [];
+	if (example && existsSync(path.join(root, pattern))) {
+		const runs = `./antw ${folder ? 'module examples-swfs' : 'module'}, then node --test --test-name-pattern="^${example} " test/examples/examples.test.mjs`;
+		console.log(`FAILED -Dtest=${pattern} names an example, and these have no tests here. Its own test: ${runs}`);
+		process.exit(1);
+	}
 	const ofClass = testsBefore(pattern, classes).slice(0, 100);
 	const near = ofClass.length > 0 ? ofClass : pattern.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
 	// antw says such a line last, and not the status of this program
@@ -143,7 +149,7 @@ function properties() {
 		inNode: [...inNode].join(','),
 		allocations: (given === '' ? [...inSwf.keys()] : picked).filter((name) => /AllocationTest\b/.test(name)).join(','),
 		none: inSwf.size === 0,
-		node: order.length + fartherInNode.length + files.length > 0,
+		node: order.length + fartherInNode.length > 0,
 		pages: ofPages.length > 0 && choice.pages.join(','),
 		away3d: ofAdapters.length > 0 && ofAdapters.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0),
 	};

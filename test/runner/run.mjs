@@ -2,22 +2,20 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/runner/run.mjs TESTS [--choice FILE] [--until FILE] [--first] [--full] [--mount /url=folder ...] [--summary FILE]
+ *   node test/runner/run.mjs TESTS [--choice FILE] [--first] [--full] [--mount /url=folder ...] [--summary FILE]
  *   [--coverage FILE]
  *
  * TESTS is what the build made of the engine and the tests together. With --choice only some of them run: FILE has JSON as list-tests.mjs
  * writes it.
  *
- *   order    classes, or tests as CLASS.test: these run first, in this order
- *   files    files of tests without a class that run next, if none has failed: each as node --test, with TESTS as its engine
- *   farther  tests farther off, which run last, until one fails or they have taken their time. What they print is shown only of one that
- *            fails
+ *   order    classes, tests as CLASS.test, or files of tests without a class: these run first, in this order. Such a file runs as
+ *            node --test, with TESTS as its engine
+ *   farther  more of these, which run last, until one fails or they have taken their time. What they print is shown only of one that fails
  *   of       the sources that all these are tests of
  *
  * A test of OF_HASHES that fails does not say what is wrong. So the others go on after it, until one does.
  *
- * Once the file of --until names a test, but for OF_HASHES, no more of files and farther begin: the player writes it when tests fail
- * there. With --first all ends when one fails. With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines
+ * With --first all ends when one fails. With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines
  * of TESTS that it runs. The first line has those that run when TESTS is loaded.
  */
 import { spawnSync } from "node:child_process";
@@ -27,12 +25,12 @@ import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { failuresIn, saidOf } from "./failures.mjs";
 import { countLines } from "./coverage.mjs";
-import { OF_HASHES, failureIn } from "./farther.mjs";
+import { OF_HASHES } from "./farther.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
 import { watch, writeSummary } from "./watch.mjs";
 
-/** Seconds of a processor, for all that is run, after which no test farther off begins. */
+/** Seconds of a processor, for all that is run, after which no test of choice.farther begins. */
 const ENOUGH_S = 40;
 
 /** Seconds of a processor after which a test is taken for one that does not end, if the variable NO_END_S gives no others. */
@@ -46,7 +44,6 @@ const { values: options, positionals: [module] } = parseArgs({
 	allowPositionals: true,
 	options: {
 		choice: { type: "string" },
-		until: { type: "string", default: "" },
 		first: { type: "boolean", default: false },
 		full: { type: "boolean", default: false },
 		mount: { type: "string", multiple: true, default: [] },
@@ -71,17 +68,16 @@ const started = performance.now();
 const counts = { passed: 0, failed: 0, skipped: 0, leftOut: 0 };
 // those of OF_HASHES that have failed
 let hashesFailed = 0;
-// the first that has failed here, but for those
+// the first that has failed, but for those
 let firstFailed;
 const notFound = new Set(NOT_HERE.keys());
-const begins = watch(Number(process.env.NO_END_S ?? (options.full ? NO_END_FULL_S : NO_END_S)), options.summary, options.until);
-const choice = { files: [], farther: [], of: [], ...options.choice && JSON.parse(readFileSync(options.choice, "utf8")) };
+const begins = watch(Number(process.env.NO_END_S ?? (options.full ? NO_END_FULL_S : NO_END_S)), options.summary);
+const choice = { farther: [], of: [], ...options.choice && JSON.parse(readFileSync(options.choice, "utf8")) };
 
 process.on("uncaughtException", (error) => fail(`, outside of any test: ${error.stack}`));
 
 const classes = choice.order ? inOrder(choice.order) : tests.CLASSES.map((each) => ({ ...each, isRun: () => true }));
 for (const each of classes) await runClass(each);
-for (const file of choice.files) if (!isOver()) runFile(file);
 if (choice.farther.length > 0) await runFarther(inOrder(choice.farther));
 
 // an error that no test has caught comes in a turn of its own
@@ -89,7 +85,7 @@ await new Promise((resolve) => setTimeout(resolve));
 
 const { passed, skipped, leftOut } = counts;
 if (!options.choice && notFound.size > 0) fail(`: no such test, though not-here.mjs lists it: ${[...notFound].join(", ")}`);
-if (passed + counts.failed + skipped === 0 && choice.farther.length === 0 && choice.files.length === 0) fail(": no test was run");
+if (passed + counts.failed + skipped === 0 && choice.farther.length === 0) fail(": no test was run");
 const { failed } = counts;
 const seconds = ((performance.now() - started) / 1000).toFixed(1);
 console.log(`on the ES module, in Node ${process.versions.node}: ${passed} passed, ${failed} failed, ${skipped} skipped, `
@@ -105,9 +101,9 @@ function fail(said) {
 	if (options.first) process.exit(1);
 }
 
-/** Whether a test has failed that says what is wrong, here or in the player, so that what is farther off need not run. */
+/** Whether a test has failed that says what is wrong, so that what is farther off need not run. */
 function isOver() {
-	return counts.failed > hashesFailed || failureIn(options.until) !== undefined;
+	return counts.failed > hashesFailed;
 }
 
 /** A class's name without its package. */
@@ -115,10 +111,12 @@ function simpleName({ name }) {
 	return name.split(".").pop();
 }
 
-/** Some classes and tests, by the class's name. A class whose tests follow one another is begun once. */
+/** Some classes, tests and files, by their names. A class whose tests follow one another is begun once. */
 function inOrder(names) {
 	const found = [];
-	for (const [wanted, test = null] of names.map((name) => name.split("."))) {
+	for (const name of names) {
+		if (name.endsWith(".mjs")) found.push({ name });
+		const [wanted, test = null] = name.split(".");
 		for (const each of tests.CLASSES.filter((other) => simpleName(other) === wanted)) {
 			if (found.at(-1)?.name !== each.name) found.push({ ...each, wanted: [] });
 			found.at(-1).wanted.push(test);
@@ -150,13 +148,18 @@ async function runFarther(fartherClasses) {
 	const before = done();
 	let late = 0;
 	for (const each of fartherClasses) late += await runClass(each, isNext, true);
-	const why = isOver() ? `${firstFailed ?? failureIn(options.until)} failed before` : `the time for all is ${ENOUGH_S} s`;
-	console.log(`of the tests farther off ${done() - before} ran${late > 0 ? `, ${late} not begun: ${why}` : ""}`);
+	const why = isOver() ? `${firstFailed} failed before` : `the time for all is ${ENOUGH_S} s`;
+	console.log(`of the tests that use the source, the nearest first, ${done() - before} ran${late > 0 ? `, ${late} not begun: ${why}` : ""}`);
 	if (hashesFailed > 0 && !isOver()) console.log("of the tests that ran, only a hash says that something has changed");
 }
 
-/** Runs the tests of a class while the next may begin, and returns how many have not been run. */
+/** Runs the tests of a class, or a file, while the next may begin, and returns how many have not been run. */
 async function runClass({ name, type, metadata, isRun }, isNext = () => true, isFarther = false) {
+	if (metadata === undefined) {
+		const isRunNow = isNext();
+		if (isRunNow) runFile(name);
+		return isRunNow ? 0 : 1;
+	}
 	const methods = (kind) => metadata.filter((each) => each.kind === kind);
 	const orderOf = (each) => Number(each.args.order ?? 0);
 	const chosen = methods("Test").filter((each) => isRun(each.name)).sort((a, b) => orderOf(a) - orderOf(b));
@@ -193,7 +196,7 @@ function isNotHere(className, { name }) {
  * @param {boolean} isFarther whether it is farther off, so that what it prints is shown only if it fails
  */
 async function runTest(name, errorOf, linesBefore, isFarther) {
-	begins(name, counts.passed, counts.failed, counts.skipped, Number(isFarther));
+	begins(name, counts.passed, counts.failed, counts.skipped);
 	const printed = [];
 	if (isFarther) console.log = (...words) => printed.push(words);
 	const start = performance.now();

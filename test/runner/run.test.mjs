@@ -77,46 +77,20 @@ test("a test that does not end is named, and the counts of those before it are k
 	assert.equal(readFileSync(summary, "utf8"), "1 passed, 1 failed, 1 skipped\n");
 });
 
-test("what is farther off does not begin once a test has failed in the player", () => {
-	const until = path.join(folder, "failed.txt");
-	const file = path.join(folder, "passes.test.mjs");
-	writeFileSync(file, "import test from 'node:test';\ntest('passes', () => {});\n");
-	const runAll = () => run({ order: ["LaterTest.isSkipped"], files: [file], farther: ["LaterTest.passes"] }, [`--until=${until}`]);
-	assert.match(runAll().stdout, /^of the tests farther off 1 ran\n.*: 2 passed, 0 failed, 1 skipped,/);
-	writeFileSync(until, "StoredFitsTest.anotherHullIsAnotherRevision\n");
-	assert.match(runAll().stdout, /^of the tests farther off 1 ran\n/);
-	writeFileSync(until, "StoredFitsTest.anotherHullIsAnotherRevision\nATest.is\n");
-	const { stdout, status } = runAll();
-	assert.match(stdout, /^of the tests farther off 0 ran, 1 not begun: ATest\.is failed before\n.*: 0 passed, 0 failed, 1 skipped,/);
-	assert.equal(status, 0);
-});
-
 test("a hash that differs says nothing more, so the tests after it run until one fails that does", () => {
 	const hash = "SoakTest.whatAGameSeesIsTheSameEverywhere";
 	const alone = run({ order: [hash], farther: ["LaterTest.passes"] });
-	assert.match(alone.stdout, /^FAILED SoakTest[^]*of the tests farther off 1 ran\nof the tests that ran, only a hash says[^]*: 1 passed, 1 failed,/);
+	assert.match(alone.stdout, /^FAILED SoakTest[^]*of the tests that use the source, the nearest first, 1 ran\nof the tests that ran, only a hash says[^]*: 1 passed, 1 failed,/);
 	assert.equal(alone.status, 1);
 	const { stdout } = run({ order: ["LaterTest.isSkipped"], farther: [hash, "LaterTest.waits", "LaterTest.passes"] });
-	assert.match(stdout, /^FAILED SoakTest[^]*\nFAILED LaterTest.waits[^]*of the tests farther off 2 ran, 1 not begun: LaterTest\.waits failed before\n.*: 0 passed, 2 failed, 1 skipped,/);
-});
-
-test("what is farther off and has begun is ended once a test has failed in the player", () => {
-	const until = path.join(folder, "failed.txt");
-	writeFileSync(until, "ATest.is\n");
-	const counts = path.join(folder, "counts.txt");
-	const program = path.join(folder, "watched.mjs");
-	writeFileSync(program, `import { watch } from ${JSON.stringify(path.join(here, "watch.mjs"))}; watch(60, ${JSON.stringify(counts)}, ${JSON.stringify(until)})("ATest.hasNoEnd", 5, 0, 2, 1); for (;;);`);
-	const { stdout, signal } = spawnSync(process.execPath, [program], { timeout: 600000, encoding: "utf8" });
-	assert.equal(stdout, "ATest.hasNoEnd and the tests after it were ended, as another failed before\n");
-	assert.equal(signal, "SIGKILL");
-	assert.equal(readFileSync(counts, "utf8"), "5 passed, 0 failed, 2 skipped\n");
+	assert.match(stdout, /^FAILED SoakTest[^]*\nFAILED LaterTest.waits[^]*of the tests that use the source, the nearest first, 2 ran, 1 not begun: LaterTest\.waits failed before\n.*: 0 passed, 2 failed, 1 skipped,/);
 });
 
 test("a failure names the sources that it is a test of, and files beside the classes run on the same module", () => {
 	const file = path.join(folder, "beside.test.mjs");
 	writeFileSync(file, "import assert from 'node:assert/strict';\nimport test from 'node:test';\ntest('engine', () => assert.equal(process.env.ENGINE, 'none'));\n");
 	assert.match(run({ order: ["LaterTest.waits"], of: ["a.Low"] }).stdout, /FAILED LaterTest.waits \(a test of a.Low\): Error: it came/);
-	const { stdout, status } = run({ order: ["LaterTest.passes"], files: [file], of: ["a.Low"] });
-	assert.match(stdout, /FAILED \S*beside.test.mjs \(a test of a.Low\):[^]*tests.mjs[^]*: 1 passed, 1 failed,/);
+	const { stdout, status } = run({ order: ["LaterTest.passes"], farther: [file, "LaterTest.isSkipped"], of: ["a.Low"] });
+	assert.match(stdout, /FAILED \S*beside.test.mjs \(a test of a.Low\):[^]*tests.mjs[^]*, 1 ran, 1 not begun: \S*beside.test.mjs failed before\n.*: 1 passed, 1 failed,/);
 	assert.equal(status, 1);
 });

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { test } from 'node:test';
 import { choose } from '../runner/chosen.mjs';
 import { readTests } from '../runner/test-classes.mjs';
-import { definitionIn, foldersIn, layout, read, root, sourcesBelow } from './sources.mjs';
+import { assertNone, definitionIn, foldersIn, layout, read, root, sourcesBelow } from './sources.mjs';
 
 const GUIDE = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => `docs/${file}`);
 const PAGES = ['README.md', 'CONTRIBUTING.md', 'js/README.md', 'js/module/README.md', 'lib/README.md', 'test/README.md', ...GUIDE];
@@ -42,15 +42,23 @@ test('examples of -Dtest name tests that there are', () => {
 
 test('no line of a Markdown page is over 140 characters', { skip: !existsSync(path.join(root, '.git')) && 'this is no repository' }, () => {
 	const pages = execFileSync('git', ['ls-files', '*.md'], { cwd: root, encoding: 'utf8' }).trim().split('\n');
-	const long = pages.flatMap((page) => read(page).split('\n').flatMap((line, i) => (line.length > 140 ? [`${page}:${i + 1}`] : [])));
+	const long = pages.flatMap((page) => read(page).split('\n').flatMap((line, i) => (line.length > 140 ? [`${page}:${i + 1} has ${line.length}`] : [])));
 	assert.ok(pages.length > 30, 'there are some');
-	assert.deepEqual(long, []);
+	assertNone(long);
 });
 
+/** The names that GitHub gives the parts of a page, by their headings. */
+function partsOf(text) {
+	const headings = text.replace(/^```[^]*?^```/gm, '').match(/^#+ .*/gm) ?? [];
+	return headings.map((heading) => heading.replace(/^#+ /, '').toLowerCase().replace(/[^\p{L}\p{N}_ -]/gu, '').replaceAll(' ', '-'));
+}
+
 test('links and pictures lead somewhere', () => {
-	const links = PAGES.flatMap((page) => [...read(page).matchAll(/\]\(([^)#:]+)\)/g)].map(([, to]) => [page, to]));
-	assert.ok(links.length > 40, 'there are some');
-	assert.deepEqual(links.filter(([page, to]) => !existsSync(path.join(root, path.dirname(page), to))), []);
+	const links = PAGES.flatMap((page) => [...read(page).matchAll(/\]\(([^)#:]*)(?:#([^)]*))?\)/g)].map(([, to, part]) => [page, to, part]));
+	assert.ok(links.filter(([, to, part]) => to !== '' && part !== undefined).length > 40, 'there are some');
+	const isThere = (file, part) => existsSync(path.join(root, file)) && (part === undefined || !file.endsWith('.md') || partsOf(read(file)).includes(part));
+	assertNone(links.filter(([page, to, part]) => !isThere(to === '' ? page : path.join(path.dirname(page), to), part))
+		.map(([page, to, part]) => `${page} has a link to ${[to, part].filter((each) => each !== undefined).join('#')}`));
 });
 
 test('paths that the pages name are there', () => {
@@ -58,7 +66,7 @@ test('paths that the pages name are there', () => {
 	assert.ok(named.length > 20, 'there are some');
 	// what a build or the user puts there
 	const isMade = (to) => to === 'lib/away3d.swc' || to.startsWith('lib/flexunit/') || ['docs/asdoc/', 'docs/typedoc/'].includes(to) || to.includes('node_modules');
-	assert.deepEqual(named.filter(([, to]) => !isMade(to) && !existsSync(path.join(root, to))), []);
+	assertNone(named.filter(([, to]) => !isMade(to) && !existsSync(path.join(root, to))).map(([page, to]) => `${page} names ${to}`));
 });
 
 test('every page of the guide is in its index, and has a table or a picture', () => {
@@ -85,7 +93,7 @@ test('the members of classes that the pages name are there', () => {
 	const named = PAGES.flatMap((page) => [...read(page).matchAll(/`([A-Z]\w*)\.(\w+)(?:\([^`]*)?`/g)].map(([, name, member]) => [page, name, member]))
 		.filter(([, name, member]) => definitions.has(name) && member !== 'as');
 	assert.ok(named.length > 100, 'there are some');
-	assert.deepEqual(named.filter(([, name, member]) => !isDefined(name, member)), []);
+	assertNone(named.filter(([, name, member]) => !isDefined(name, member)).map(([page, name, member]) => `${page} names ${name}.${member}`));
 });
 
 /** Where the pages about the thesis name classes: in the last cell of a row, and in brackets at the end of an entry. */
@@ -95,7 +103,7 @@ for (const [page, places] of Object.entries(NAMED)) {
 	test(`the classes and members in ${page} are there`, () => {
 		const names = [...read(page).matchAll(places)].flatMap(([, cell]) => [...cell.matchAll(/`(\w+)(?:\.(\w+))?`/g)]);
 		assert.ok(names.length > 20, 'there are some');
-		assert.deepEqual(names.filter(([, name, member]) => !isDefined(name, member)).map(([all]) => all), []);
+		assertNone(names.filter(([, name, member]) => !isDefined(name, member)).map(([all]) => all));
 	});
 }
 
@@ -105,5 +113,5 @@ test('docs/flags.md has every flag', () => {
 		.flatMap((name) => settable(`src/starlogo/${name}.as`));
 	assert.ok(flags.length > 15, 'there are some');
 	const page = read('docs/flags.md');
-	assert.deepEqual(flags.filter((flag) => !new RegExp(`\\b${flag}\``).test(page)), []);
+	assertNone(flags.filter((flag) => !new RegExp(`\\b${flag}\``).test(page)));
 });

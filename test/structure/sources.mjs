@@ -1,9 +1,15 @@
+import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 /** The project's folder. */
 export const root = fileURLToPath(new URL('../..', import.meta.url));
+
+/** Asserts that nothing of a kind is wrong. All that is stands in one line, because the last lines of a run have only the first of each test. */
+export function assertNone(wrong) {
+	assert.ok(wrong.length === 0, wrong.join('; '));
+}
 
 /** A file's text, by its path in the project. */
 export function read(file) {

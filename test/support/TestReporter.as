@@ -10,7 +10,7 @@ package support
 
     /**
      * Prints each failed test with its message and stack, a line of progress every few seconds, the counts last, and
-     * hands the runner a JUnit report. The tests that have failed it writes to the file failed.txt, which ends the tests farther off in Node.
+     * hands the runner a JUnit report.
      */
     public class TestReporter extends RunListener
     {
@@ -26,7 +26,6 @@ package support
         private var _testStart:int;
         private var _lastProgress:int;
         private var _failures:Dictionary = new Dictionary();
-        private var _failedNames:Array = [];
         private var _skippedTests:Dictionary = new Dictionary();
         private var _suites:XML = <testsuites/>;
 
@@ -61,8 +60,6 @@ package support
             if (_failures[name] == null)
             {
                 _failed++;
-                _failedNames.push(readableName(failure.description));
-                Host.writeFile("test-reports/failed.txt", _failedNames.join("\n") + "\n");
                 _failures[name] = failure;
             }
             if (!failure.description.isTest)

@@ -2,6 +2,7 @@ package starlogo.handlers
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
@@ -79,6 +80,7 @@ package starlogo.handlers
                     if (known == null)
                     {
                         known = _tracker.startAt(i);
+                        assertFalse("also if its object had another touch", known.hasReachedSecond);
                         known.hasReachedSecond = true;
                         assertStrictlyEquals("either way round it is the same", known, _tracker.find(b, a));
                         assertStrictlyEquals(known, _tracker.touchAt(i));

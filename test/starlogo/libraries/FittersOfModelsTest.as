@@ -44,7 +44,8 @@ package starlogo.libraries
                     count++;
                 }
             }
-            assertTrue("fits.json has not as many volumes of each model as there are fitters here. Those of all:\n{\n" + lines.join(",\n") + "\n}", areKnown);
+            assertTrue("fits.json has not as many volumes of each model as there are fitters here. Write what Node says (./antw module-test "
+                    + "-Dtest=FittersOfModelsTest), not the player, to test/fixtures/models/fits.json:\n{\n" + lines.join(",\n") + "\n}", areKnown);
             trace("  " + count + " volumes, the largest difference " + largest);
             assertTrue(count >= 12 * 9);
         }

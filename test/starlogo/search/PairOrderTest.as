@@ -58,7 +58,11 @@ package starlogo.search
                 }
             }
             expected.sort(compare);
-            _order.putInOrder(pairs, haveTimes ? times : null);
+            var early:Array = expected.filter(function(each:Array, ...rest):Boolean
+                {
+                    return haveTimes && each[0] < 1;
+                });
+            assertEquals("before the end of their motions", early.length, _order.putInOrder(pairs, haveTimes ? times : null));
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {

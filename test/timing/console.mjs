@@ -1,4 +1,4 @@
-import { COLLIDERS, DISTURBED, FIGURES, isNoisy, shownIn } from './figures.mjs';
+import { COLLIDERS, DISTURBED, FIGURES, isLeftOut, shownIn } from './figures.mjs';
 import { ratio, time } from './format.mjs';
 import { key } from './statistics.mjs';
 
@@ -14,7 +14,7 @@ export function tables(entries, { wasDisturbed = false, isComplete = true } = {}
 		const own = shownIn(figure, entries);
 		if (own.length > 0) {
 			const more = figure.more && isComplete ? [figure.more.title + (wasDisturbed ? DISTURBED : ''), '', table(figure.more.head(own), figure.more.rows(own), 1), ''] : [];
-			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', ...more, wrap(figure.note)].join('\n'));
+			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.textColumns ?? 1), '', ...more, wrap(figure.note)].join('\n'));
 		}
 	}
 	return parts.join('\n\n\n');
@@ -64,14 +64,14 @@ const MODELS = ['fits', 'access', 'hierarchies'];
  * @param {string} sources the folder of a researcher's own classes
  */
 export function repeats(entries, commit = '', sources = 'FOLDER') {
-	const noisy = entries.filter(isNoisy);
-	if (noisy.length === 0) {
+	const left = entries.filter(isLeftOut);
+	if (left.length === 0) {
 		return '';
 	}
-	const commands = FIGURES.map(({ id }) => [id, noisy.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
+	const commands = FIGURES.map(({ id }) => [id, left.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
 		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found, sources)} -Drepetitions=11`);
 	const where = commit.endsWith('-dirty') ? 'in a report of their own, as the clone has changes that are not committed. They replace the report that is there' : 'for the same report';
-	return ['Left out, as too noisy or contradictory:', ...noisy.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
+	return ['Left out, as too noisy or contradictory:', ...left.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
 }
 
 // The options that measure no more of a figure than these entries.

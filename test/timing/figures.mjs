@@ -6,33 +6,31 @@ import { percent, quoted, ratio, significant, time } from './format.mjs';
  * name. Both the console and the page show these.
  */
 
-const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule',
-	'minimal sphere', 'minimal capsule', 'hull'];
+/** The thesis's structures, and all. */
+export const THESIS_STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule'];
+const STRUCTURES = [...THESIS_STRUCTURES, 'minimal sphere', 'minimal capsule', 'hull'];
 export const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
-const THESIS_SPHERE_TEST = 0.000319;
+/** Milliseconds of the thesis's sphere-sphere test, and of a frame at 25 a second. */
+export const THESIS_SPHERE_TEST = 0.000319;
+export const FRAME_MS = 40;
 
 /** The engine's colliders, and those of the reader's own that were measured. */
 export const collidersOf = (entries) => [...COLLIDERS, ...others(entries, COLLIDERS)];
 
 /** Entries by subject, in their order: [subject, {variant: entry}]. */
 export function bySubject(entries) {
-	const subjects = new Map();
-	for (const entry of entries) {
-		if (!subjects.has(entry.subject)) {
-			subjects.set(entry.subject, {});
-		}
-		subjects.get(entry.subject)[entry.variant] = entry;
-	}
-	return [...subjects];
+	return [...new Set(entries.map(({ subject }) => subject))]
+		.map((each) => [each, Object.fromEntries(entries.filter(({ subject }) => subject === each).map((entry) => [entry.variant, entry]))]);
 }
 
 /** A time with its spread, or why there is none. */
 export function measured(entry) {
-	if (!entry) {
-		return '';
-	}
-	return entry.refused ? entry.refused : `${time(entry.value)} ${spread(entry.value, entry.low, entry.high)}`;
+	return entry ? entry.refused ?? `${time(entry.value)} ${spread(entry.value, entry.low, entry.high)}` : '';
 }
+
+/** What times and multiples are. */
+export const MEDIANS = 'medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; if one end is much farther, − and + both'
+	+ ' ends. What has no range beside it is a median alone.';
 
 /** Half of a range, as a part of its median; both parts of a range that is much longer on one side. */
 function spread(median, low, high) {
@@ -40,8 +38,8 @@ function spread(median, low, high) {
 	return Math.abs(more - less) < 0.1 ? `±${percent((less + more) / 2)}` : `−${percent(less).replace(' %', '')} +${percent(more)}`;
 }
 
-/** Whether an entry has no time or no multiple, because its range is too wide, or because it contradicts another. */
-export function isNoisy(entry) {
+/** Whether a time or a multiple is left out, because its range is too wide, or because it contradicts another. */
+export function isLeftOut(entry) {
 	return Boolean(entry.refused) || entry.multiple === null;
 }
 
@@ -103,9 +101,10 @@ function volumeRows(entries) {
 	const own = others(entries, STRUCTURES);
 	return bySubject(entries).flatMap(([model, found]) => {
 		const all = STRUCTURES.concat(own).map((name) => found[name]);
-		const least = Math.min(...all.slice(0, 6).map((entry) => entry.value));
+		const ofThesis = THESIS_STRUCTURES.map((name) => found[name]);
+		const least = Math.min(...ofThesis.map((entry) => entry.value));
 		return [
-			[`${model} (${all[0].vertices})`, ...all.map((entry, i) => (entry ? significant(entry.value, 3) : '') + (i < 6 && entry.value === least ? '*' : ''))],
+			[`${model} (${all[0].vertices})`, ...all.map((entry) => (entry ? significant(entry.value, 3) : '') + (ofThesis.includes(entry) && entry.value === least ? '*' : ''))],
 			['  thesis', ...all.map((entry) => entry?.thesis?.toFixed(3) ?? '')],
 		];
 	});
@@ -188,18 +187,16 @@ export function growth(entries) {
 	});
 }
 
-const FRAME_MS = 40;
-
 /**
  * Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a row for each cast. A game
  * whose range includes 40 ms does not count. A collider whose collisions differ from those of all pairs has no number.
  */
-export function holding(entries) {
+export function agentsAt25Frames(entries) {
 	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => [cast, ...collidersOf(entries)
-		.map((name) => most(entries.filter((entry) => entry.variant === name && castOf(entry) === cast)))]);
+		.map((name) => mostAgents(entries.filter((entry) => entry.variant === name && castOf(entry) === cast)))]);
 }
 
-function most(games) {
+function mostAgents(games) {
 	if (games.some(({ agrees }) => agrees === false)) {
 		return 'DIFFER';
 	}
@@ -215,11 +212,11 @@ function most(games) {
 /** What the title of this table adds if something else was running. */
 export const DISTURBED = ' (something else was running: it may be more)';
 
-/** A second table of games. */
-const HOLDING = {
+/** A second table of games: how many agents each collider can have. */
+const AT_25_FRAMES = {
 	title: '25 frames a second: the most agents whose frames take at most 40 ms',
 	head: (entries) => [['game', ...colliderNames(entries)]],
-	rows: holding,
+	rows: agentsAt25Frames,
 };
 
 /** Who plays in a game: the subject without its number. */
@@ -232,6 +229,9 @@ const VOLUMES = {
 		['', 'sphere', 'sphere', 'box', '1°', '10°', '', 'sphere', 'capsule', '16', ...others(entries, STRUCTURES).map(() => 'own')]],
 	rows: volumeRows,
 };
+
+const crowdHead = (variants) => [['crowd', variants, 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'a test of'],
+	['', '', '', '', '', '', '', '', '', 'all pairs']];
 
 /** A class's name without its package. */
 const shortName = (name) => name.slice(name.lastIndexOf('.') + 1);
@@ -246,7 +246,7 @@ export const FIGURES = [
 		id: 'colliders', of: ['colliders', 'crowds', 'scattered'], title: 'Which collider to take: how often it is right, and how long a frame takes',
 		head: (entries) => [['collider', 'take it', 'precision', 'recall', ...comparedGames(entries).flatMap(([name]) => [name, 'JIT'])],
 			['', '', '', '', ...comparedGames(entries).flatMap(([, found]) => [Object.values(found)[0].figure === 'crowds' ? 'together' : 'scattered', ''])]],
-		text: 2,
+		textColumns: 2,
 		rows: colliderRows,
 		see: ['docs/choosing.md', 'Choosing a collider'],
 		note: 'Precision: the share of the pairs it reports that touch. Recall: the share of the touching pairs that it reports. Exact mode says which'
@@ -317,11 +317,10 @@ export const FIGURES = [
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
 		lead: 'Each group of bars is a crowd with a collider; those of one crowd stand together. A lower bar is faster. Bars below the red line leave room for 25 frames a second.',
-		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'a test of'],
-			['', '', '', '', '', '', '', '', '', 'all pairs']],
-		text: 2,
+		head: () => crowdHead('collider'),
+		textColumns: 2,
 		rows: gameRows,
-		more: HOLDING,
+		more: AT_25_FRAMES,
 		note: 'The engine\'s frames include bins, breeds and handlers. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
 			+ ' (the thesis counts it twice), without these: so the literal BinCollider, a sphere test for each pair and no more, may take less. One agent of the CombinationCollider\'s crowds is hierarchical.'
 			+ ' Pairs: those that collide. A test of all pairs: whether it finds the same.',
@@ -329,7 +328,7 @@ export const FIGURES = [
 	{
 		id: 'visits', title: 'Section 6.3.3: nodes visited in a frame of these crowds',
 		head: () => [['crowd', 'collider', 'pairs of nodes', 'pairs of agents', 'nodes for each', 'thesis']],
-		text: 2,
+		textColumns: 2,
 		rows: (entries) => bySubject(entries).flatMap(([crowd, found]) => Object.entries(found).map(([collider, { value, tests }], i) => [i === 0 ? crowd : '',
 			collider.replace('Collider', ''), String(value), String(tests), (value / tests).toFixed(1), '5'])),
 		note: 'A visit compares two nodes of two hierarchies, or a node and the other agent\'s structure. The thesis expects one for each level: five'
@@ -338,9 +337,8 @@ export const FIGURES = [
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
 		lead: 'Each group of bars has so many hierarchical agents. A lower bar is faster.',
-		head: () => [['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'a test of'],
-			['', '', '', '', '', '', '', '', '', 'all pairs']],
-		text: 2,
+		head: () => crowdHead('of them'),
+		textColumns: 2,
 		rows: gameRows,
 		note: 'The thesis gives no number here; it says that it lies between those of the other two colliders.',
 	},
@@ -360,7 +358,7 @@ export const FIGURES = [
 		lead: 'Each line is a collider. A lower line is faster, and a flatter one grows less with the number of agents.',
 		head: (entries) => [['game', ...colliderNames(entries), 'pairs', 'a test of all pairs']],
 		rows: scatteredRows,
-		more: HOLDING,
+		more: AT_25_FRAMES,
 		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
 			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider. A test of all pairs: whether it finds the same.'
 			+ ' Exponent e: for n times as many agents a frame takes n to the power of e times as long, fitted to all games of the list.'
@@ -370,7 +368,7 @@ export const FIGURES = [
 	{
 		id: 'monitor', title: 'The monitor in a running game',
 		head: () => [['game', 'what', '', 'JIT']],
-		text: 2,
+		textColumns: 2,
 		rows: (entries) => entries.map((entry) => [entry.subject, entry.variant,
 			entry.unit === 'ms' ? measured(entry) : `${significant(entry.value, 2)} ${entry.unit}`, beside(entry)]),
 		note: 'A frame at 25 a second has 40 ms. The time that the player takes to draw the monitor is not included. The cost of the'

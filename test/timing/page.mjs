@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
 import { repeats } from './console.mjs';
-import { DISTURBED, FIGURES, bySubject, faster, measured, shownIn } from './figures.mjs';
+import { DISTURBED, FIGURES, MEDIANS, bySubject, faster, measured, shownIn } from './figures.mjs';
 import { ratio } from './format.mjs';
 import { loadText, wasDisturbed } from './machine.mjs';
 
@@ -46,7 +46,7 @@ ${leftOut(report.entries)}
 ${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 </main>
 <footer>
-<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; if one end is much farther, − and + both ends. “×” is a multiple of the sphere-sphere test, measured in turns
+<p>Times are ${MEDIANS} “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines.</p>
 <p id="left-out">Noisy: the range of the time, or of the multiple, is wider than 30 % either way, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
 cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.</p>
@@ -107,7 +107,7 @@ function section(figure, report, charts, clone) {
 ${chart ? `<p class="lead">${escape(figure.lead)} The scale is logarithmic.</p>` : ''}
 ${picture}
 ${isMarked ? '<p class="note crosses">× stands for a number that was left out.</p>' : ''}
-<div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.text)}</div>
+<div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.textColumns)}</div>
 ${figure.more && report.isComplete !== false ? `<h3>${escape(figure.more.title + (wasDisturbed(report) ? DISTURBED : ''))}</h3>\n<div class="scroll">${table(figure.more.head(mine), figure.more.rows(mine))}</div>` : ''}
 <p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}${figure.see ? ` More: <a href="${escape(`${clone}/${figure.see[0]}`)}">${escape(figure.see[1])}</a>.` : ''}</p>
 </section>`;
@@ -160,7 +160,7 @@ function compared(value, other) {
 	return value >= 1 ? [ratio(value), `as fast as ${other}`] : [ratio(1 / value), `as long as ${other}`];
 }
 
-const words = (name) => name.replace(/GB$/, ' in GB').replace(/^memory$/, 'memory');
+const words = (name) => name.replace(/GB$/, ' in GB');
 
 function escape(text) {
 	return String(text).replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');

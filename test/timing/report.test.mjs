@@ -320,6 +320,11 @@ test('one table has a row for each collider: how often it is right, how long a f
 	assert.doesNotMatch(text, /^HierarchicalCollider/m);
 	assert.match(await page({ ...EMPTY, entries: shares }, '..'), /Which collider to take[^]*<a href="\.\.\/docs\/choosing\.md">/);
 	assert.match(tables(entries), /^collider +take it +100 bears +1000 mix$/m);
+	// a note says nothing of columns and rows that are not there
+	assert.match(text, /^Precision: the share/m);
+	assert.doesNotMatch(tables(entries), /Precision: the share/);
+	assert.match(text, /Exponent e:/);
+	assert.doesNotMatch(tables(entries.filter(({ agents }) => agents !== 10000)), /Exponent e:/);
 });
 
 test('a run that was cut does not say how many agents are too many', async () => {

@@ -1,13 +1,23 @@
-/** What is written in a client's test class, and does not run as it was meant. */
+/** What a client's test class has: its functions, and what does not run as it was meant. */
 
 /** A mark of a class: [Suite], perhaps more metadata, and the words before "class". */
 const MARKED_CLASS = /\[(Suite|RunWith|Ignore)\b[^\]]*\]\s*(?:\[[^\]]*\]\s*)*(?:\w+\s+)*class\b/g;
 
 /** A function: its metadata, the words before "function", its name, its parameters, and its type. */
-const FUNCTION = /((?:\[[^\]]*\]\s*)*)((?:\w+\s+)*)function\s+(\w+)\s*\(([^)]*)\)\s*(?::\s*(\w+))?/g;
+const FUNCTION = /(?<metadata>(?:\[[^\]]*\]\s*)*)(?<words>(?:\w+\s+)*)function\s+(?<name>\w+)\s*\((?<parameters>[^)]*)\)\s*(?::\s*(?<type>\w+))?/g;
 
 /** The tags of the functions that FlexUnit runs. */
 const TAGS = ['Test', 'Theory', 'Before', 'After', 'BeforeClass', 'AfterClass'];
+const TAG = new RegExp(`\\[(${TAGS.join('|')})\\b`, 'i');
+
+/** The line of a text at an index. */
+export const lineAt = (text, index) => text.slice(0, index).split('\n').length;
+
+/** The parts of each function that a text names, and its line. */
+export function functionsIn(text) {
+	const source = codeOf(text);
+	return [...source.matchAll(FUNCTION)].map(({ 0: all, index, groups }) => ({ ...groups, line: lineAt(source, index + all.indexOf('function')) }));
+}
 
 /**
  * What FlexUnit would leave out, and what the player does not see.
@@ -17,17 +27,13 @@ const TAGS = ['Test', 'Theory', 'Before', 'After', 'BeforeClass', 'AfterClass'];
  */
 export function problemsIn(text) {
 	const source = codeOf(text);
-	const lineAt = (index) => source.slice(0, index).split('\n').length;
 	const ofClass = [...source.matchAll(MARKED_CLASS)].map(({ 1: mark, index }) => ({
-		line: lineAt(index),
+		line: lineAt(source, index),
 		said: `[${mark}] of a class does nothing here: the embedded player does not see the metadata of classes`,
 		isError: false,
 	}));
 	const isOld = /\bextends\s+TestCase\b/.test(source);
-	const ofFunctions = [...source.matchAll(FUNCTION)].flatMap((found) => {
-		const problem = problemOf(found, isOld);
-		return problem === null ? [] : [{ line: lineAt(found.index + found[0].indexOf('function')), ...problem }];
-	});
+	const ofFunctions = functionsIn(text).map((found) => ({ line: found.line, ...problemOf(found, isOld) })).filter(({ said }) => said);
 	return [...ofClass, ...ofFunctions];
 }
 
@@ -38,9 +44,9 @@ export function isForTheGame(text) {
 }
 
 /** What is wrong with a function, or null. Classes of old versions of FlexUnit, which extend TestCase, need no [Test]. */
-function problemOf([, metadata, words, name, parameters, type = 'void'], isOld) {
-	const [written, tag] = [...metadata.matchAll(/\[(\w+)/g)].map(([, each]) => [each, TAGS.find((known) => known.toLowerCase() === each.toLowerCase())])
-		.find(([, known]) => known) ?? [];
+function problemOf({ metadata, words, name, parameters, type = 'void' }, isOld) {
+	const [, written] = TAG.exec(metadata) ?? [];
+	const tag = TAGS.find((known) => known.toLowerCase() === written?.toLowerCase());
 	const isPublic = /\bpublic\b/.test(words);
 	if (!tag) {
 		const isForgotten = !isOld && metadata === '' && isPublic && /^test[A-Z]/.test(name);

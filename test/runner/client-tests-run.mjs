@@ -3,13 +3,14 @@
  * Runs the SWF of a client's own tests and counts them. If it stalls or the player fails, it names what was running, and starts the player
  * again for the other tests. At the end it names those that did not run.
  *
- *   node test/runner/client-tests-run.mjs FILE.swf SECONDS COUNTS [PLAYER]
+ *   node test/runner/client-tests-run.mjs FOLDER FILE.swf SECONDS [PLAYER]
  *
- * What gives no sign of life for so many seconds ends the player, and so does what takes ten times as long altogether. COUNTS is a file for
- * the counts. The exit status is that of PLAYER: build/headless/run.mjs, or in tests a script in its place.
+ * FOLDER has tests.txt of client-tests.mjs, and gets counts.txt. What gives no sign of life for so many seconds ends the player, and so does
+ * what takes ten times as long altogether. PLAYER is build/headless/run.mjs, or in tests a script in its place.
  */
 import { spawn } from 'node:child_process';
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
 import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 
@@ -22,21 +23,22 @@ const MOST_STARTS = 10;
 /** The exit status of a SWF that stalls. */
 const FAILED = 70;
 
-const [swf, seconds, counts, player = fileURLToPath(new URL('../../build/headless/run.mjs', import.meta.url))] = process.argv.slice(2);
+const [folder, swf, seconds, player = fileURLToPath(new URL('../../build/headless/run.mjs', import.meta.url))] = process.argv.slice(2);
 
-/** The tests that there are, those of them that have begun, and those that are ignored; what failed, tests or others. With their places. */
-const tests = new Set();
+/**
+ * The tests that there are: at first those that the texts of the classes name, then those that FlexUnit finds. Those of them that have
+ * begun, and those that are ignored; what failed, tests or others. With their places.
+ */
+const tests = new Set(readFileSync(path.join(folder, 'tests.txt'), 'utf8').split('\n').filter(Boolean));
 const begun = new Set();
 const ignored = new Set();
 const failed = new Set();
-/** The tests that a player that starts again leaves out, and the classes: their names. */
-const without = new Set();
-let starts = 0;
+/** The names of the classes of which no test can run. */
+const closed = new Set();
 let run;
 let now;
 let limit;
 let reason;
-let begunBefore;
 let isStackOfRunner = false;
 
 /** Reads a line of the reporter that test/runner/client-tests.mjs writes. Gives whether to show it. */
@@ -46,11 +48,18 @@ function readTrace(line) {
 	if (test) {
 		begun.add(test);
 		if (isIgnored) ignored.add(test);
-	} else if (tag === 'tests') next().forEach((each) => tests.delete(each));
+	} else if (tag === 'tests') left().forEach((each) => tests.delete(each));
 	else if (tag === 'test') tests.add(name);
-	else if (line.startsWith('FAILED ')) failed.add(line.slice(7).split(': ')[0]);
+	else if (line.startsWith('FAILED ')) fail(line.slice(7).split(': ')[0]);
 	if (test || tag === 'now') begin(test ?? name);
 	return !tag && !isOfRunner(line);
+}
+
+/** Notes what failed. No test of a class can run if its static initialiser fails, or if what is before them ends the player. */
+function fail(name) {
+	failed.add(name);
+	const [, className] = /^(\S+)(?:, static initialiser| \[BeforeClass\])/.exec(name) ?? [];
+	if (className) closed.add(className);
 }
 
 /** Notes what runs now, and how long it may. */
@@ -88,30 +97,31 @@ function classOf(test) {
 	return nameOf(test).replace(/\.\w+$/, '');
 }
 
-/** The tests that another player can run. */
-function next() {
-	return [...tests].filter((test) => !begun.has(test) && !without.has(classOf(test)));
+/** The tests that can still run. */
+function left() {
+	return [...tests].filter((test) => !begun.has(test) && !closed.has(classOf(test)));
 }
 
 /** Some tests without their places; a class of which all are among them stands for its tests. */
 function namesOf(some) {
 	const inParts = [...tests].filter((test) => !some.includes(test)).map(classOf);
-	return [...new Set(some.map((test) => (inParts.includes(classOf(test)) ? nameOf(test) : classOf(test))))].join(', ');
+	return [...new Set(some.map((test) => (inParts.includes(classOf(test)) ? nameOf(test) : classOf(test))))];
 }
 
-/** Of an error that no call of a test was there for: which tests may have left a timer or a listener. */
-function earlierTests() {
-	const earlier = [...begun].slice(begunBefore).map(nameOf).filter((test) => test !== nameOf(now));
+/** Of an error that no call of a test was there for: which of the tests of this player may have left a timer or a listener. */
+function earlierTests(ofPlayer) {
+	const earlier = ofPlayer.map(nameOf).filter((test) => test !== nameOf(now));
 	if (earlier.length === 0 || !/^the SWF threw: Error (in|dispatching event (?!"timerComplete"))/.test(reason)) return '';
 	return `; perhaps of a timer or listener of an earlier test. Before it ran ${earlier.slice(-3).join(', ')}`;
 }
 
 /** Plays the tests that are left. If something ends the player before their end, another one plays the rest. */
-function play() {
-	starts++;
+function play(start) {
+	const [begunBefore, closedBefore] = [begun.size, closed.size];
+	// FlexUnit fails a class of which it is to run nothing, so a class that is done is left out by its name
+	const without = [...closed, ...namesOf([...begun])].join(',');
 	reason = '';
-	begunBefore = begun.size;
-	run = spawn(process.execPath, [player, swf, '--stall', seconds, '--param', `without=${[...without].join(',')}`], { stdio: ['ignore', 'pipe', 'pipe'] });
+	run = spawn(process.execPath, [player, swf, '--stall', seconds, '--param', `without=${without}`], { stdio: ['ignore', 'pipe', 'pipe'] });
 	begin('the SWF');
 	createInterface({ input: run.stdout }).on('line', (line) => {
 		if (readTrace(line)) console.log(line);
@@ -122,33 +132,25 @@ function play() {
 	});
 	run.on('close', (status) => {
 		clearTimeout(limit);
-		if (!reason) return end(status ?? 1);
-		console.log(`FAILED ${now}: ${reason}${earlierTests()}`);
-		failed.add(now);
-		const known = without.size;
-		for (const test of begun) without.add(nameOf(test));
-		// what fails or hangs before the tests of a class would do so again
-		for (const each of [...failed].filter((one) => one === now || one.includes(', static initialiser'))) {
-			without.add(/^(\S+)(?:, static initialiser| \[BeforeClass\])/.exec(each)?.[1] ?? nameOf(each));
-		}
-		// FlexUnit fails a class of which it is to run nothing
-		const inPart = next().map(classOf);
-		for (const each of [...tests].map(classOf)) if (!inPart.includes(each)) without.add(each);
-		if (inPart.length === 0 || without.size === known || starts === MOST_STARTS) return end(FAILED);
-		console.log(`the player starts again for the tests that are left: ${inPart.length}`);
-		return play();
+		if (!reason) return end(start > 1 ? FAILED : status || Number(failed.size > 0));
+		console.log(`FAILED ${now}: ${reason}${earlierTests([...begun].slice(begunBefore))}`);
+		fail(now);
+		const isFarther = begun.size > begunBefore || closed.size > closedBefore;
+		if (left().length === 0 || !isFarther || start === MOST_STARTS) return end(FAILED);
+		console.log(`the player starts again for the tests that are left: ${left().length}`);
+		return play(start + 1);
 	});
 }
 
-/** Counts all, and ends with a status, or with that of a player before that has failed. */
+/** Counts all, and ends with a status. */
 function end(status) {
 	const passed = [...begun].filter((test) => !failed.has(test) && !ignored.has(test));
-	const left = [...tests].filter((test) => !begun.has(test));
-	if (left.length > 0) console.log(`not run: ${namesOf(left)}`);
-	const summary = `${passed.length} passed, ${failed.size} failed, ${ignored.size} ignored, ${left.length} not run`;
+	const notRun = [...tests].filter((test) => !begun.has(test));
+	if (notRun.length > 0) console.log(`not run: ${namesOf(notRun).join(', ')}`);
+	const summary = `${passed.length} passed, ${failed.size} failed, ${ignored.size} ignored, ${notRun.length} not run`;
 	console.log(summary);
-	writeFileSync(counts, summary);
-	process.exitCode = starts > 1 ? FAILED : status;
+	writeFileSync(path.join(folder, 'counts.txt'), summary);
+	process.exitCode = status;
 }
 
-play();
+play(1);

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 /**
- * Writes the document class of a client's own tests: ClientTests.as, which runs every class whose name ends with Test.
+ * Writes the document class of a client's own tests: ClientTests.as, which runs every class whose name ends with Test; and tests.txt, the
+ * tests that the texts of these classes name.
  *
  *   node test/runner/client-tests.mjs OUT FOLDER,FOLDER [NAME]
  *
@@ -10,8 +11,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import path from 'node:path';
 import { refuse } from '../../build/refuse.mjs';
 import { choose, testsBefore } from './chosen.mjs';
-import { isForTheGame, problemsIn } from './client-problems.mjs';
-import { testsIn } from './test-classes.mjs';
+import { functionsIn, isForTheGame, lineAt, problemsIn } from './client-problems.mjs';
 
 const [out, folders, name = ''] = process.argv.slice(2);
 
@@ -39,31 +39,20 @@ if (classes.length === 0) {
 		: `no class and no test matches -Dtest=${name}; there are ${(near.length > 0 ? near : all).join(', ')}`);
 }
 
+/** The tag of a function that runs before or after all tests of its class. */
+const tagOf = ({ metadata }) => /\[(?:Before|After)Class\b/.exec(metadata)?.[0].concat(']');
+
 /**
- * Where the functions of a class begin, and the class, as lines of ActionScript: the player's stack traces have no lines. What runs before or after all tests
- * of the class is also found as "game.MeetTest [BeforeClass]".
+ * Where a class begins, and its functions: the player's stack traces have no lines. What runs before or after all its tests is also found
+ * as "game.MeetTest [BeforeClass]".
  */
 function placesIn(name) {
 	const text = texts.get(name);
-	const placeAt = (index) => `${files.get(name)}:${text.slice(0, index).split('\n').length}`;
-	const own = [...text.matchAll(/\bfunction\s+(\w+)/g)].map(({ 1: called, index }) => [`${name}.${called}`, placeAt(index)]);
-	const around = ['BeforeClass', 'AfterClass'].map((tag) => [`${name} [${tag}]`, aroundIn(text, tag).map(({ index }) => placeAt(index)).join(' or ')]);
-	return [[name, placeAt(text.search(/^[^*/\n]*\bclass\b/m))], ...own, ...around].filter(([, place]) => place).map(asPair);
-}
-
-/** The functions of a class's text that run before or after all its tests, by their tag: their names, and where they begin. */
-function aroundIn(text, tag) {
-	const found = text.matchAll(new RegExp(`\\[${tag}\\b[^\\]]*\\]\\s*(?:\\[[^\\]]*\\]\\s*)*(?:\\w+\\s+)*function\\s+(\\w+)`, 'g'));
-	return [...found].map(({ 0: all, 1: called, index }) => ({ called, index: index + all.search(/\bfunction\s+\w+$/) }));
-}
-
-/** By its name, the tag of each function that runs before or after all tests of a class. */
-function tagsIn(name) {
-	return ['BeforeClass', 'AfterClass'].flatMap((tag) => aroundIn(texts.get(name), tag).map(({ called }) => asPair([`${name}.${called}`, `[${tag}]`])));
-}
-
-function asPair([key, value]) {
-	return `            "${key}": "${value.replaceAll('\\', '/')}"`;
+	const functions = functionsIn(text);
+	const placeAt = (line) => `${files.get(name)}:${line}`.replaceAll('\\', '/');
+	const around = [...new Set(functions.map(tagOf).filter(Boolean))]
+		.map((tag) => [`${name} ${tag}`, functions.filter((one) => tagOf(one) === tag).map(({ line }) => placeAt(line)).join(' or ')]);
+	return [[name, placeAt(lineAt(text, text.search(/^[^*/\n]*\bclass\b/m)))], ...functions.map((one) => [`${name}.${one.name}`, placeAt(one.line)]), ...around];
 }
 
 const problems = classes.flatMap((each) => problemsIn(texts.get(each)).map((problem) => ({ file: files.get(each), ...problem })));
@@ -72,10 +61,14 @@ for (const { file, line, said, isError } of problems) console.error(`${file}:${l
 if (problems.some(({ isError }) => isError)) refuse('FAILED client-test: no test has run, because of the errors above');
 // not every runner of FlexUnit's can leave out tests, so it is asked only where some are
 const picked = classes.flatMap((each) => chosen.get(each)?.map((test) => `${each}.${test}`) ?? [each]);
-// a class that does not load has those that its text names
-const known = classes.map((each) => [each, (chosen.get(each) ?? testsIn(texts.get(each))).map((test) => `${each}.${test}`)]);
-const isWhole = picked.length === classes.length && picked.every((each) => chosen.has(each));
+const isWhole = classes.every((each) => !chosen.get(each));
+const places = new Map(classes.flatMap(placesIn));
+const tags = classes.flatMap((each) => functionsIn(texts.get(each)).map((one) => [`${each}.${one.name}`, tagOf(one)]));
+const asObject = (entries) => JSON.stringify(Object.fromEntries(entries), null, 4).replaceAll('\n', '\n        ');
+const known = classes.flatMap((each) => functionsIn(texts.get(each))
+	.filter((one) => /\[Test\b/.test(one.metadata) && (chosen.get(each)?.includes(one.name) ?? true)).map((one) => `${each}.${one.name}`));
 mkdirSync(out, { recursive: true });
+writeFileSync(path.join(out, 'tests.txt'), known.map((test) => `${test} (${places.get(test)})\n`).join(''));
 writeFileSync(path.join(out, 'ClientTests.as'), `package
 {
     import flash.display.Sprite;
@@ -100,10 +93,10 @@ ${classes.map((each) => `    import ${each};`).join('\n')}
 
         public function ClientTests()
         {
-            sWithout = (loaderInfo.parameters["without"] || "").split(",");
+            var without:String = loaderInfo.parameters["without"] || "";
+            sWithout = without.split(",");
             var reporter:ClientTestsReporter = new ClientTestsReporter();
             var found:Array = [];
-            reporter.begin();
             for each (var name:String in CLASSES)
             {
                 if (sWithout.indexOf(name) < 0)
@@ -118,7 +111,7 @@ ${classes.map((each) => `    import ${each};`).join('\n')}
             }
             _core.addListener(reporter);
             var request:Request = Request.runner(new ClientTestsSuite(new AllDefaultPossibilitiesBuilder(true), found, reporter));
-            _core.run(${isWhole} && sWithout.join() == "" ? request : request.filterWith(new DynamicFilter(isPicked, describe)));
+            _core.run(${isWhole} && without == "" ? request : request.filterWith(new DynamicFilter(isPicked, describe)));
         }
 
         // So that the compiler takes these classes, of which only the names are used.
@@ -196,35 +189,16 @@ writeFileSync(path.join(out, 'ClientTestsReporter.as'), `package
     public class ClientTestsReporter extends RunListener
     {
         // file and line of each class and function
-        private static const PLACES:Object = {
-${classes.flatMap(placesIn).join(',\n')}
-        };
+        private static const PLACES:Object = ${asObject(places)};
 
         // of the functions that run before and after all tests of a class
-        private static const TAGS:Object = {
-${classes.flatMap(tagsIn).join(',\n')}
-        };
-
-        // the tests that the text of a class has
-        private static const KNOWN:Object = {
-${known.map(([each, tests]) => `            "${each}": [${tests.map((test) => `"${test}"`).join(', ')}]`).join(',\n')}
-        };
+        private static const TAGS:Object = ${asObject(tags)};
 
         private var _count:int = 0;
         private var _begun:int = 0;
         private var _class:String = "";
         // tests of this class that have not begun
         private var _left:int = 0;
-        private var _notLoaded:Array = [];
-
-        /** Tells the tests that there are, as far as the texts of the classes say. */
-        public function begin():void
-        {
-            for each (var tests:Array in KNOWN)
-            {
-                tellTests(tests);
-            }
-        }
 
         /** Loads a class, and puts it into a list; a static initialiser that throws fails it. */
         public function load(name:String, found:Array):void
@@ -237,22 +211,17 @@ ${known.map(([each, tests]) => `            "${each}": [${tests.map((test) => `"
             }
             catch (error:Error)
             {
-                _notLoaded.push(name);
                 fail(place, error.message, error);
             }
         }
 
         override public function testRunStarted(description:IDescription):void
         {
-            _count = 0;
             trace("  @tests");
-            for each (var name:String in _notLoaded)
+            for each (var name:String in testsOf(description))
             {
-                tellTests(KNOWN[name]);
-            }
-            for each (var each:IDescription in description.children)
-            {
-                tellTests(testsOf(each));
+                _count++;
+                trace("  @test " + placed(name, name));
             }
         }
 
@@ -291,7 +260,7 @@ ${known.map(([each, tests]) => `            "${each}": [${tests.map((test) => `"
 
         override public function testRunFinished(result:Result):void
         {
-            Host.exit(result.successful && result.runCount > 0 && _notLoaded.length == 0 ? 0 : 1);
+            Host.exit(result.successful && result.runCount > 0 ? 0 : 1);
         }
 
         private function tellBegun(kind:String, description:IDescription):void
@@ -300,15 +269,6 @@ ${known.map(([each, tests]) => `            "${each}": [${tests.map((test) => `"
             _left--;
             var name:String = nameOf(description);
             trace("  " + _begun + "/" + _count + " " + kind + placed(name, name));
-        }
-
-        private function tellTests(names:Array):void
-        {
-            for each (var name:String in names)
-            {
-                _count++;
-                trace("  @test " + placed(name, name));
-            }
         }
 
         private static function fail(what:String, why:String, error:Error):void

@@ -35,13 +35,13 @@ test('a test that fails is told with its file and line', () => {
 test('what runs before and after the tests of a class has its file and line too, and its static initialiser that of the class', () => {
 	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), ['package game.world', '{', '    /** A class of tests. */', '    public class TurtleTest', '    {',
 		'        [BeforeClass]', '        public static function begin():void {}', '        [BeforeClass(order=2)]', '        public static function fill():void {}',
-		'        [Test]', '        public function swims():void {}', ''].join('\n'));
+		'        [Test]', '        public function swims():void {}', '        /* no more', '        [Test]', '        public function dives():void {} */', ''].join('\n'));
 	assert.equal(run('src,tests').status, 0);
 	const reporter = readFileSync(path.join(folder, 'out/ClientTestsReporter.as'), 'utf8');
 	assert.match(reporter, /"game\.world\.TurtleTest": "tests\/game\/world\/TurtleTest\.as:4"/);
 	assert.match(reporter, /"game\.world\.TurtleTest \[BeforeClass\]": "tests\/game\/world\/TurtleTest\.as:7 or tests\/game\/world\/TurtleTest\.as:9"/);
 	assert.match(reporter, /"game\.world\.TurtleTest\.fill": "\[BeforeClass\]"/);
-	assert.match(reporter, /"game\.world\.TurtleTest": \["game\.world\.TurtleTest\.swims"\]/);
+	assert.equal(readFileSync(path.join(folder, 'out/tests.txt'), 'utf8'), 'game.world.TurtleTest.swims (tests/game/world/TurtleTest.as:11)\n');
 });
 
 test('a function that FlexUnit would leave out is named', () => {

@@ -1,22 +1,21 @@
-import { COLLIDERS, bySubject, castOf, collidersOf, growth } from './figures.mjs';
+import { COLLIDERS, FRAME_MS, THESIS_SPHERE_TEST, THESIS_STRUCTURES, bySubject, castOf, collidersOf, growth } from './figures.mjs';
 
 /**
  * What the page draws, by figure: {kind, height, labels or series, unit}. Colours are names that the page's style knows:
  * engine, jit, literal, thesis, minimal, and one for each of the engine's colliders.
  */
 export function chartsOf(entries) {
-	const of = (figure) => entries.filter((entry) => entry.figure === figure);
-	const charts = {
-		volumes: volumes(of('volumes')),
-		fits: compared(of('fits'), (found) => found.engine, 'ms'),
-		access: compared(of('access'), (found) => found.engine, 'µs', 1e3),
-		tests: multiples(of('tests')),
-		hierarchies: hierarchies(of('hierarchies')),
-		crowds: crowds(of('crowds')),
-		combination: combination(of('combination')),
-		scattered: scattered(of('scattered')),
-	};
-	return Object.fromEntries(Object.entries(charts).filter(([, chart]) => chart?.series.some((one) => one.color !== 'thesis' && hasNumber(one))));
+	const charts = Object.entries({
+		volumes,
+		fits: (own) => compared(own, 'ms'),
+		access: (own) => compared(own, 'µs', 1e3),
+		tests: multiples,
+		hierarchies,
+		crowds,
+		combination,
+		scattered,
+	}).map(([id, chart]) => [id, entries.filter(({ figure }) => figure === id), chart]).filter(([, own]) => own.length > 0).map(([id, own, chart]) => [id, chart(own)]);
+	return Object.fromEntries(charts.filter(([, { series }]) => series.some((one) => one.color !== 'thesis' && hasNumber(one))));
 }
 
 /** Whether a series has a number. */
@@ -34,23 +33,17 @@ const barsOf = (entries, factor, field = 'value') => ({
 	values: entries.map((entry) => scaled(entry?.[field], factor)), refused: entries.map((entry) => entry?.[field] === null),
 });
 
-function compared(entries, ours, unit, factor = 1) {
-	if (entries.length === 0) {
-		return undefined;
-	}
+function compared(entries, unit, factor = 1) {
 	const subjects = bySubject(entries);
 	return bars(subjects.map(([name]) => name), unit, [
-		{ name: 'this engine', color: 'engine', ...barsOf(subjects.map(([, found]) => ours(found)), factor) },
-		{ name: 'this engine, JIT', color: 'jit', ...barsOf(subjects.map(([, found]) => ours(found)), factor, 'beside') },
+		{ name: 'this engine', color: 'engine', ...barsOf(subjects.map(([, found]) => found.engine), factor) },
+		{ name: 'this engine, JIT', color: 'jit', ...barsOf(subjects.map(([, found]) => found.engine), factor, 'beside') },
 		{ name: 'literal algorithm', color: 'literal', ...barsOf(subjects.map(([, found]) => found.literal), factor) },
 		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, factor)) },
 	]);
 }
 
 function hierarchies(entries) {
-	if (entries.length === 0) {
-		return undefined;
-	}
 	const subjects = bySubject(entries);
 	const values = (variant, field) => barsOf(subjects.map(([, found]) => found[variant]), 1, field);
 	return bars(subjects.map(([name]) => name), 'ms', [
@@ -63,29 +56,20 @@ function hierarchies(entries) {
 }
 
 function multiples(entries) {
-	if (entries.length === 0) {
-		return undefined;
-	}
 	const subjects = bySubject(entries);
-	const thesisBase = 0.000319;
 	return bars(subjects.map(([name]) => name), '× sphere-sphere', [
 		{ name: 'this engine', color: 'engine', ...barsOf(subjects.map(([, found]) => found.engine), 1, 'multiple') },
 		{ name: 'literal algorithm', color: 'literal', ...barsOf(subjects.map(([, found]) => found.literal), 1, 'multiple') },
-		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, 1 / thesisBase)) },
+		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, 1 / THESIS_SPHERE_TEST)) },
 	]);
 }
 
 function volumes(entries) {
-	if (entries.length === 0) {
-		return undefined;
-	}
 	const subjects = bySubject(entries);
-	const least = (found, names) => Math.min(...names.map((name) => found[name].value));
-	const ofThesis = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule'];
 	return bars(subjects.map(([name]) => name), 'cubic patches', [
 		{ name: 'smallest sphere known', color: 'sphere', values: subjects.map(([, found]) => found['minimal sphere'].value) },
-		{ name: 'tightest of the thesis\'s algorithms', color: 'engine', values: subjects.map(([, found]) => least(found, ofThesis)) },
-		{ name: 'tightest of the thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => Math.min(...ofThesis.map((name) => found[name].thesis))) },
+		{ name: 'tightest of the thesis\'s algorithms', color: 'engine', values: subjects.map(([, found]) => Math.min(...THESIS_STRUCTURES.map((name) => found[name].value))) },
+		{ name: 'tightest of the thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => Math.min(...THESIS_STRUCTURES.map((name) => found[name].thesis))) },
 		{ name: 'hull', color: 'minimal', values: subjects.map(([, found]) => scaled(found.hull?.value)) },
 	]);
 }
@@ -94,9 +78,6 @@ function volumes(entries) {
 const SHORT = { BinCollider: 'Bin', TightestFitCollider: 'Tightest', HierarchicalCollider: 'Hierarch.', CombinationCollider: 'Combin.' };
 
 function crowds(entries) {
-	if (entries.length === 0) {
-		return undefined;
-	}
 	const most = Math.max(...entries.map((entry) => entry.agents ?? 0));
 	const count = entries.some((entry) => entry.agents === 100) ? 100 : most;
 	const subjects = bySubject(entries).filter(([name]) => name.startsWith(`${count} `));
@@ -107,13 +88,10 @@ function crowds(entries) {
 		{ name: 'this engine, JIT', color: 'jit', ...barsOf(rows.map(({ entry }) => entry), 1, 'beside') },
 		{ name: 'literal algorithm', color: 'literal', ...barsOf(rows.map(({ literal }) => literal)) },
 		{ name: 'thesis, 2015', color: 'thesis', values: rows.map(({ entry }) => scaled(entry.thesis)) },
-	], { line: [40, 'a frame at 25 a second'] });
+	], { line: [FRAME_MS, 'a frame at 25 a second'] });
 }
 
 function combination(entries) {
-	if (entries.length === 0) {
-		return undefined;
-	}
 	const subjects = bySubject(entries);
 	const labels = Object.keys(subjects[0][1]).filter((name) => !name.endsWith(', literal'));
 	const colors = ['engine', 'TightestFitCollider', 'sphere'];
@@ -124,9 +102,6 @@ function combination(entries) {
 }
 
 function scattered(entries) {
-	if (entries.length === 0) {
-		return undefined;
-	}
 	const all = growth(entries);
 	const first = all.find(({ cast }) => cast === 'mix') ?? all[0];
 	const casts = [first, ...all.filter(({ cast }) => cast === `${first.cast}, as dense`)];
@@ -138,5 +113,5 @@ function scattered(entries) {
 			.map((entry) => ({ x: entry.agents, y: entry.value })),
 		refused: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value === null).map((entry) => entry.agents),
 	}))).filter(({ points, refused }) => points.length + refused.length > 0);
-	return { kind: 'lines', height: 420, unit: 'ms a frame', xUnit: `agents (${first.cast})`, series, line: [40, 'a frame at 25 a second'] };
+	return { kind: 'lines', height: 420, unit: 'ms a frame', xUnit: `agents (${first.cast})`, series, line: [FRAME_MS, 'a frame at 25 a second'] };
 }

@@ -1,32 +1,19 @@
-import { COLLIDERS, DISTURBED, FIGURES, isNoisy, shownIn } from './figures.mjs';
+import { COLLIDERS, FIGURES, isLeftOut, noteOf, tablesOf } from './figures.mjs';
 import { ratio, time } from './format.mjs';
 import { key } from './statistics.mjs';
 
 const WIDTH = 112;
 
-/**
- * All figures as text, in lines of at most 112 characters. If something else was running, what was too slow may not be; a run that ended
- * early does not say how many agents are too many.
- */
-export function tables(entries, { wasDisturbed = false, isComplete = true } = {}) {
-	const parts = [];
-	for (const figure of FIGURES) {
-		const own = shownIn(figure, entries);
-		if (own.length > 0) {
-			const more = figure.more && isComplete ? [figure.more.title + (wasDisturbed ? DISTURBED : ''), '', table(figure.more.head(own), figure.more.rows(own), 1), ''] : [];
-			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', ...more, wrap(figure.note)].join('\n'));
-		}
-	}
-	return parts.join('\n\n\n');
+/** All figures as text, in lines of at most 112 characters; for the state of the run see tablesOf(). */
+export function tables(entries, state = {}) {
+	return FIGURES.map((figure) => [figure, tablesOf(figure, entries, state)]).filter(([, found]) => found.length > 0)
+		.map(([figure, found]) => [...found.flatMap((each) => [each.title, '', table(each), '']), wrap(noteOf(figure, found[0]))].join('\n')).join('\n\n\n');
 }
 
 /** Rows of cells in columns, the first of them flush left and the others flush right. */
-function table(head, rows, textColumns) {
-	// a column that is empty everywhere is left out
-	const columns = head[0].map((_, column) => column).filter((column) => column === 0 || rows.some((row) => row[column]));
-	const widths = columns.map((column) => Math.max(...[...head, ...rows].map((row) => row[column].length)));
-	const line = (row) => columns.map((column, i) => (column < textColumns ? row[column].padEnd(widths[i]) : row[column].padStart(widths[i])))
-		.join('  ').trimEnd();
+function table({ head, rows, textColumns = 1 }) {
+	const widths = head[0].map((_, column) => Math.max(...[...head, ...rows].map((row) => row[column].length)));
+	const line = (row) => row.map((cell, column) => (column < textColumns ? cell.padEnd(widths[column]) : cell.padStart(widths[column]))).join('  ').trimEnd();
 	const rule = '─'.repeat(widths.reduce((sum, width) => sum + width + 2, -2));
 	return [...head.map(line), rule, ...rows.map(line)].join('\n');
 }
@@ -50,7 +37,7 @@ export function comparison(changed, olderDate) {
 	const rows = changed.map(({ key, before, after, change }) => [key, ratio(before.multiple), ratio(after.multiple),
 		`${time(before.value)} to ${time(after.value)}`, change > 1 ? `${ratio(change)} as long` : `${ratio(1 / change)} as fast`]);
 	return `Since ${olderDate}, beyond the noise, as multiples of the sphere-sphere test:\n\n`
-		+ table([['what', 'before', 'now', 'time', '']], rows, 1);
+		+ table({ head: [['what', 'before', 'now', 'time', '']], rows });
 }
 
 const GAMES = ['crowds', 'scattered'];
@@ -64,14 +51,14 @@ const MODELS = ['fits', 'access', 'hierarchies'];
  * @param {string} sources the folder of a researcher's own classes
  */
 export function repeats(entries, commit = '', sources = 'FOLDER') {
-	const noisy = entries.filter(isNoisy);
-	if (noisy.length === 0) {
+	const left = entries.filter(isLeftOut);
+	if (left.length === 0) {
 		return '';
 	}
-	const commands = FIGURES.map(({ id }) => [id, noisy.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
+	const commands = FIGURES.map(({ id }) => [id, left.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
 		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found, sources)} -Drepetitions=11`);
 	const where = commit.endsWith('-dirty') ? 'in a report of their own, as the clone has changes that are not committed. They replace the report that is there' : 'for the same report';
-	return ['Left out, as too noisy or contradictory:', ...noisy.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
+	return ['Left out, as too noisy or contradictory:', ...left.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
 }
 
 // The options that measure no more of a figure than these entries.

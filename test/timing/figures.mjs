@@ -6,33 +6,31 @@ import { percent, quoted, ratio, significant, time } from './format.mjs';
  * name. Both the console and the page show these.
  */
 
-const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule',
-	'minimal sphere', 'minimal capsule', 'hull'];
+/** The thesis's structures, and all. */
+export const THESIS_STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule'];
+const STRUCTURES = [...THESIS_STRUCTURES, 'minimal sphere', 'minimal capsule', 'hull'];
 export const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
-const THESIS_SPHERE_TEST = 0.000319;
+/** Milliseconds of the thesis's sphere-sphere test, and of a frame at 25 a second. */
+export const THESIS_SPHERE_TEST = 0.000319;
+export const FRAME_MS = 40;
 
 /** The engine's colliders, and those of the reader's own that were measured. */
 export const collidersOf = (entries) => [...COLLIDERS, ...others(entries, COLLIDERS)];
 
 /** Entries by subject, in their order: [subject, {variant: entry}]. */
 export function bySubject(entries) {
-	const subjects = new Map();
-	for (const entry of entries) {
-		if (!subjects.has(entry.subject)) {
-			subjects.set(entry.subject, {});
-		}
-		subjects.get(entry.subject)[entry.variant] = entry;
-	}
-	return [...subjects];
+	return [...new Set(entries.map(({ subject }) => subject))]
+		.map((each) => [each, Object.fromEntries(entries.filter(({ subject }) => subject === each).map((entry) => [entry.variant, entry]))]);
 }
 
 /** A time with its spread, or why there is none. */
 export function measured(entry) {
-	if (!entry) {
-		return '';
-	}
-	return entry.refused ? entry.refused : `${time(entry.value)} ${spread(entry.value, entry.low, entry.high)}`;
+	return entry ? entry.refused ?? `${time(entry.value)} ${spread(entry.value, entry.low, entry.high)}` : '';
 }
+
+/** What times and multiples are. */
+export const MEDIANS = 'medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; if one end is much farther, − and + both'
+	+ ' ends. What has no range beside it is a median alone.';
 
 /** Half of a range, as a part of its median; both parts of a range that is much longer on one side. */
 function spread(median, low, high) {
@@ -40,8 +38,8 @@ function spread(median, low, high) {
 	return Math.abs(more - less) < 0.1 ? `±${percent((less + more) / 2)}` : `−${percent(less).replace(' %', '')} +${percent(more)}`;
 }
 
-/** Whether an entry has no time or no multiple, because its range is too wide, or because it contradicts another. */
-export function isNoisy(entry) {
+/** Whether a time or a multiple is left out, because its range is too wide, or because it contradicts another. */
+export function isLeftOut(entry) {
 	return Boolean(entry.refused) || entry.multiple === null;
 }
 
@@ -103,9 +101,10 @@ function volumeRows(entries) {
 	const own = others(entries, STRUCTURES);
 	return bySubject(entries).flatMap(([model, found]) => {
 		const all = STRUCTURES.concat(own).map((name) => found[name]);
-		const least = Math.min(...all.slice(0, 6).map((entry) => entry.value));
+		const ofThesis = THESIS_STRUCTURES.map((name) => found[name]);
+		const least = Math.min(...ofThesis.map((entry) => entry.value));
 		return [
-			[`${model} (${all[0].vertices})`, ...all.map((entry, i) => (entry ? significant(entry.value, 3) : '') + (i < 6 && entry.value === least ? '*' : ''))],
+			[`${model} (${all[0].vertices})`, ...all.map((entry) => (entry ? significant(entry.value, 3) : '') + (ofThesis.includes(entry) && entry.value === least ? '*' : ''))],
 			['  thesis', ...all.map((entry) => entry?.thesis?.toFixed(3) ?? '')],
 		];
 	});
@@ -188,18 +187,16 @@ export function growth(entries) {
 	});
 }
 
-const FRAME_MS = 40;
-
 /**
  * Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a row for each cast. A game
  * whose range includes 40 ms does not count. A collider whose collisions differ from those of all pairs has no number.
  */
-export function holding(entries) {
+export function agentsAt25Frames(entries) {
 	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => [cast, ...collidersOf(entries)
-		.map((name) => most(entries.filter((entry) => entry.variant === name && castOf(entry) === cast)))]);
+		.map((name) => mostAgents(entries.filter((entry) => entry.variant === name && castOf(entry) === cast)))]);
 }
 
-function most(games) {
+function mostAgents(games) {
 	if (games.some(({ agrees }) => agrees === false)) {
 		return 'DIFFER';
 	}
@@ -212,14 +209,11 @@ function most(games) {
 	return fails === Infinity ? `at least ${holds}` : `${holds}, not ${fails}`;
 }
 
-/** What the title of this table adds if something else was running. */
-export const DISTURBED = ' (something else was running: it may be more)';
-
-/** A second table of games. */
-const HOLDING = {
+/** A second table of games: how many agents each collider can have. */
+const AT_25_FRAMES = {
 	title: '25 frames a second: the most agents whose frames take at most 40 ms',
 	head: (entries) => [['game', ...colliderNames(entries)]],
-	rows: holding,
+	rows: agentsAt25Frames,
 };
 
 /** Who plays in a game: the subject without its number. */
@@ -233,6 +227,9 @@ const VOLUMES = {
 	rows: volumeRows,
 };
 
+const crowdHead = (variants) => [['crowd', variants, 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'a test of'],
+	['', '', '', '', '', '', '', '', '', 'all pairs']];
+
 /** A class's name without its package. */
 const shortName = (name) => name.slice(name.lastIndexOf('.') + 1);
 const colliderNames = (entries) => collidersOf(entries).map((name) => shortName(name).replace(/Collider$/, ''));
@@ -240,67 +237,88 @@ const colliderNames = (entries) => collidersOf(entries).map((name) => shortName(
 /** The entries that a figure shows. */
 export const shownIn = ({ id, of = [id] }, entries) => entries.filter(({ figure }) => of.includes(figure));
 
-/** Every figure: its name, what it shows, and how the lines of its head and its rows come from the entries. */
+/**
+ * The tables of a figure, without columns that are empty everywhere: [{title, head, rows, textColumns}]. If something else was running, what
+ * was too slow may not be; a run that ended early does not say how many agents are too many.
+ */
+export function tablesOf(figure, entries, { wasDisturbed, isComplete = true }) {
+	const own = shownIn(figure, entries);
+	const more = figure.more && isComplete ? [{ ...figure.more, title: figure.more.title + (wasDisturbed ? ' (something else was running: it may be more)' : '') }] : [];
+	return own.length === 0 ? [] : [figure, ...more].map(({ title, head, rows, textColumns = 1 }) => {
+		const [heads, cells] = [head(own), rows(own)];
+		const isShown = (_, column) => column === 0 || cells.some((row) => row[column]);
+		const shown = (rows) => rows.map((row) => row.filter(isShown));
+		return { title, head: shown(heads), rows: shown(cells), textColumns: heads[0].slice(0, textColumns).filter(isShown).length };
+	});
+}
+
+/** What a figure's note says of its table: the texts of the columns and the rows that are there. */
+export function noteOf({ note }, { head, rows }) {
+	const names = [...head[0], ...rows.map(([name]) => name)];
+	return Object.entries(note).filter(([name]) => names.includes(name)).map(([, text]) => text).join(' ');
+}
+
+/** Every figure: its name, what it shows, how the lines of its head and its rows come from the entries, and what its note says of a column or row. */
 export const FIGURES = [
 	{
 		id: 'colliders', of: ['colliders', 'crowds', 'scattered'], title: 'Which collider to take: how often it is right, and how long a frame takes',
 		head: (entries) => [['collider', 'take it', 'precision', 'recall', ...comparedGames(entries).flatMap(([name]) => [name, 'JIT'])],
 			['', '', '', '', ...comparedGames(entries).flatMap(([, found]) => [Object.values(found)[0].figure === 'crowds' ? 'together' : 'scattered', ''])]],
-		text: 2,
+		textColumns: 2,
 		rows: colliderRows,
 		see: ['docs/choosing.md', 'Choosing a collider'],
-		note: 'Precision: the share of the pairs it reports that touch. Recall: the share of the touching pairs that it reports. Exact mode says which'
-			+ ' touch, in the game of "Precision of shapes"; every other agent is hierarchical there. A frame is that of a crowd and of a'
-			+ ' scattered game below, with one hierarchical agent in the CombinationCollider\'s.',
+		note: { precision: 'Precision: the share of the pairs it reports that touch. Recall: the share of the touching pairs that it reports. Exact mode says which'
+			+ ' touch, in the game of "Precision of shapes"; every other agent is hierarchical there.',
+		collider: 'A frame is that of a crowd and of a scattered game below, with one hierarchical agent in the CombinationCollider\'s.' },
 	},
 	{
 		id: 'volumes', title: 'Figure 6-1: volumes of bounding structures, in cubic patches', ...VOLUMES,
 		lead: 'Each group of bars is a model. A lower bar is a tighter structure. Of the sphere, the cube and the cylinder blue should reach as low as grey; the other models are not the thesis\'s.',
-		note: '* the tightest of the thesis\'s six. The smallest known sphere and capsule, and a hull of at most 16 corners, are on the right. The sphere of the'
+		note: { 'model (vertices)': '* the tightest of the thesis\'s six. The smallest known sphere and capsule, and a hull of at most 16 corners, are on the right. The sphere of the'
 			+ ' BinCollider has 0.524. The models are the project\'s own, of the same kinds and vertex counts as the thesis\'s.'
 			+ ' Ritter\'s sphere of a cube has one of thirty volumes from 2.72 to 6.81, by the vertices on which it starts and by their'
 			+ ' order; the thesis\'s 5.216 is one of them. The built-in sphere has its vertices in other places than the thesis\'s,'
-			+ ' and so another box and capsule.',
+			+ ' and so another box and capsule.' },
 	},
 	{
 		id: 'nova', title: 'Figure 6-1 on the thesis\'s own models, as the StarLogo Nova client ships and turns them', ...VOLUMES,
-		note: 'Of spheres and boxes 42 of 45 are the thesis\'s to 0.003. Ritter\'s spheres of the seagull and the fortress depend on the order of the'
-			+ ' vertices; the dragon\'s z-aligned box is smaller at 1 degree. Capsules: the thesis\'s are found for some models alone.',
+		note: { 'model (vertices)': 'Of spheres and boxes 42 of 45 are the thesis\'s to 0.003. Ritter\'s spheres of the seagull and the fortress depend on the order of the'
+			+ ' vertices; the dragon\'s z-aligned box is smaller at 1 degree. Capsules: the thesis\'s are found for some models alone.' },
 	},
 	{
 		id: 'fits', title: 'Figure 6-2: time to find the tightest fit',
 		lead: 'Each group of bars is a model. A lower bar is faster.',
 		head: () => [['model', 'vertices', 'tightest', 'engine', '× sphere test', 'JIT', 'literal', '× engine', 'thesis']],
 		rows: (entries) => modelRows(entries, (found) => [String(found.engine.vertices), found.engine.tightest]),
-		note: 'Literal: the thesis\'s search for the oriented box alone, every vertex in each of 729 rotations (a ninth is timed).'
-			+ ' × engine, here and below: how many times as long as the engine the thesis\'s algorithm takes in the same run.',
+		note: { literal: 'Literal: the thesis\'s search for the oriented box alone, every vertex in each of 729 rotations (a ninth is timed).'
+			+ ' × engine, here and below: how many times as long as the engine the thesis\'s algorithm takes in the same run.' },
 	},
 	{
 		id: 'access', title: 'Figure 6-3: time to access and transform a tightest fit',
 		lead: 'Each group of bars is a model. A lower bar is faster.',
 		head: () => [['model', 'engine', '× sphere test', 'JIT', 'literal', '× engine', 'thesis']],
 		rows: (entries) => modelRows(entries, () => []),
-		note: 'For an agent that has moved and turned. The engine does this once for each agent that has moved, the literal'
-			+ ' collider for both agents of each pair.',
+		note: { model: 'For an agent that has moved and turned. The engine does this once for each agent that has moved.',
+		literal: 'The literal collider does it for both agents of each pair.' },
 	},
 	{
 		id: 'tests', title: 'Figure 6-4: time of an intersection test',
 		lead: 'Each group of bars is a kind of pair. A lower bar is faster. The sphere-sphere test of the same machine is 1, so grey can be compared here.',
 		head: () => [['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', '× engine', 'thesis', '× sphere']],
 		rows: testRows,
-		note: 'On random pairs of which 40 % intersect, and on pairs that all do; each as a multiple of the sphere-sphere test of the'
+		note: { test: 'On random pairs of which 40 % intersect, and on pairs that all do; each as a multiple of the sphere-sphere test of the'
 			+ ' same run, the thesis\'s figures as a multiple of its own. Literal tests that are the same as the engine\'s are not repeated.'
-			+ ' Hulls have 8 to 16 corners. The thesis has none.',
+			+ ' Hulls have 8 to 16 corners. The thesis has none.' },
 	},
 	{
 		id: 'precision', title: 'Precision of shapes: how many of the pairs that they report touch',
 		head: () => [['shape', 'pairs', 'precision', 'recall']],
 		rows: (entries) => bySubject(entries).map(([shape, { found, precision, recall }]) => [shape, String(found.value), percent(precision.value / 100),
 			percent(recall.value / 100)]),
-		note: 'A game of 150 agents, fifty frames: bears, dragons, firemen, seagulls, fortresses and persons, scattered over the ground and five patches'
+		note: { shape: 'A game of 150 agents, fifty frames: bears, dragons, firemen, seagulls, fortresses and persons, scattered over the ground and five patches'
 			+ ' large. Exact mode says which touch. Precision: the share of the reported pairs that touch. Recall: the share of those that touch which'
 			+ ' are reported. Tightest: the smallest of sphere, box and capsule. Hulls have at most 16 corners.'
-			+ ' The sphere here encloses the model. That of the BinCollider is as wide as the agent\'s size, so a fortress\'s corners stand out of it.',
+			+ ' The sphere here encloses the model. That of the BinCollider is as wide as the agent\'s size, so a fortress\'s corners stand out of it.' },
 	},
 	{
 		id: 'hierarchies', title: 'Figure 6-5: time to build a hierarchy',
@@ -310,70 +328,69 @@ export const FIGURES = [
 			measured(found['engine, vertices']), multiple(found['engine, vertices']),
 			beside(found['engine, vertices']), short(found.literal),
 			times(faster(found['engine, vertices'], found.literal)), thesisTime(found.engine)]),
-		note: 'Ten levels; nodes of five vertices or fewer are not split. The engine builds from triangles, and here also from vertices'
+		note: { model: 'Ten levels; nodes of five vertices or fewer are not split. The engine builds from triangles, and here also from vertices'
 			+ ' alone, as the thesis does. From triangles it takes longer than the thesis: a model has about twice as many triangles as vertices, and each node\'s'
-			+ ' box encloses whole triangles. So no level of the hierarchy misses the surface.',
+			+ ' box encloses whole triangles. So no level of the hierarchy misses the surface.' },
 	},
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
 		lead: 'Each group of bars is a crowd with a collider; those of one crowd stand together. A lower bar is faster. Bars below the red line leave room for 25 frames a second.',
-		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'a test of'],
-			['', '', '', '', '', '', '', '', '', 'all pairs']],
-		text: 2,
+		head: () => crowdHead('collider'),
+		textColumns: 2,
 		rows: gameRows,
-		more: HOLDING,
-		note: 'The engine\'s frames include bins, breeds and handlers. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
-			+ ' (the thesis counts it twice), without these: so the literal BinCollider, a sphere test for each pair and no more, may take less. One agent of the CombinationCollider\'s crowds is hierarchical.'
-			+ ' Pairs: those that collide. A test of all pairs: whether it finds the same.',
+		more: AT_25_FRAMES,
+		note: { crowd: 'The engine\'s frames include bins, breeds and handlers.',
+		literal: 'The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
+			+ ' (the thesis counts it twice), without these: so the literal BinCollider, a sphere test for each pair and no more, may take less.',
+		collider: 'One agent of the CombinationCollider\'s crowds is hierarchical. Pairs: those that collide. A test of all pairs: whether it finds the same.' },
 	},
 	{
 		id: 'visits', title: 'Section 6.3.3: nodes visited in a frame of these crowds',
 		head: () => [['crowd', 'collider', 'pairs of nodes', 'pairs of agents', 'nodes for each', 'thesis']],
-		text: 2,
+		textColumns: 2,
 		rows: (entries) => bySubject(entries).flatMap(([crowd, found]) => Object.entries(found).map(([collider, { value, tests }], i) => [i === 0 ? crowd : '',
 			collider.replace('Collider', ''), String(value), String(tests), (value / tests).toFixed(1), '5'])),
-		note: 'A visit compares two nodes of two hierarchies, or a node and the other agent\'s structure. The thesis expects one for each level: five'
-			+ ' at its depth of five, for agents that all collide.',
+		note: { crowd: 'A visit compares two nodes of two hierarchies, or a node and the other agent\'s structure. The thesis expects one for each level: five'
+			+ ' at its depth of five, for agents that all collide.' },
 	},
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
 		lead: 'Each group of bars has so many hierarchical agents. A lower bar is faster.',
-		head: () => [['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'a test of'],
-			['', '', '', '', '', '', '', '', '', 'all pairs']],
-		text: 2,
+		head: () => crowdHead('of them'),
+		textColumns: 2,
 		rows: gameRows,
-		note: 'The thesis gives no number here; it says that it lies between those of the other two colliders.',
+		note: { crowd: 'The thesis gives no number here; it says that it lies between those of the other two colliders.' },
 	},
 	{
 		id: 'experiments', title: 'What the thesis proposes or asks: §3.6.4, §7.4, §7.5, §7.7',
 		head: () => [['proposal', 'without', 'with', 'gains', 'more hits']],
 		rows: (entries) => bySubject(entries).map(([question, found]) => [question, measured(found.without), measured(found.with),
 			times(faster(found.with, found.without)), `${found.more.value.toFixed(1)} %`]),
-		note: 'Faces alone: the literal test without its nine axes of edges. Factor: the structure with the cheapest tests of up to so many times'
+		note: { proposal: 'Faces alone: the literal test without its nine axes of edges. Factor: the structure with the cheapest tests of up to so many times'
 			+ ' the least volume, of six models. First: a test of spheres or capsules around two structures comes before theirs, which are the'
 			+ ' engine\'s. Trees: literal ones of five levels, beside boxes. Gains: how many times as long a test takes without the proposal.'
 			+ ' The engine has none of them. Faces alone, factors and other trees report agents that do not touch. Tests that come first'
-			+ ' gain on these pairs, but not in a frame, whose search has already compared the extents.',
+			+ ' gain on these pairs, but not in a frame, whose search has already compared the extents.' },
 	},
 	{
 		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
 		lead: 'Each line is a collider. A lower line is faster, and a flatter one grows less with the number of agents.',
 		head: (entries) => [['game', ...colliderNames(entries), 'pairs', 'a test of all pairs']],
 		rows: scatteredRows,
-		more: HOLDING,
-		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
-			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider. A test of all pairs: whether it finds the same.'
-			+ ' Exponent e: for n times as many agents a frame takes n to the power of e times as long, fitted to all games of the list.'
+		more: AT_25_FRAMES,
+		note: { game: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
+			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider. A test of all pairs: whether it finds the same.',
+		exponent: 'Exponent e: for n times as many agents a frame takes n to the power of e times as long, fitted to all games of the list.'
 			+ ' With 1, twice the agents take twice the time; with 2, four times. The next row counts agents and collisions together,'
-			+ ' because the collisions of agents of size 1 grow with the square of the number of agents.',
+			+ ' because the collisions of agents of size 1 grow with the square of the number of agents.' },
 	},
 	{
 		id: 'monitor', title: 'The monitor in a running game',
 		head: () => [['game', 'what', '', 'JIT']],
-		text: 2,
+		textColumns: 2,
 		rows: (entries) => entries.map((entry) => [entry.subject, entry.variant,
 			entry.unit === 'ms' ? measured(entry) : `${significant(entry.value, 2)} ${entry.unit}`, beside(entry)]),
-		note: 'A frame at 25 a second has 40 ms. The time that the player takes to draw the monitor is not included. The cost of the'
-			+ ' CollisionRecorder is that of recording the collisions.',
+		note: { game: 'A frame at 25 a second has 40 ms. The time that the player takes to draw the monitor is not included. The cost of the'
+			+ ' CollisionRecorder is that of recording the collisions.' },
 	},
 ];

@@ -141,9 +141,7 @@ function barChart(chart) {
 			...common(chart),
 			scales: {
 				x: { grid: { display: false }, border: { color: color('grid') }, ticks: { color: color('text'), autoSkip: false, maxRotation: 60, font: { size: chart.labels.length > 12 ? 10 : chart.labels.length > 10 ? 11 : 12 } } },
-				y: chart.linear
-					? { beginAtZero: true, title: { display: true, text: chart.unit, color: color('quiet') }, grid: { color: color('grid') }, ticks: { color: color('quiet') } }
-					: logarithmic(chart.unit, chart.series.flatMap((series) => series.values)),
+				y: logarithmic(chart.unit, chart.series.flatMap((series) => series.values)),
 			},
 		},
 		plugins: [limit, refused, numbers],

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
 import { repeats } from './console.mjs';
-import { DISTURBED, FIGURES, bySubject, faster, measured, shownIn } from './figures.mjs';
+import { FIGURES, MEDIANS, bySubject, faster, measured, noteOf, tablesOf } from './figures.mjs';
 import { ratio } from './format.mjs';
 import { loadText, wasDisturbed } from './machine.mjs';
 
@@ -46,7 +46,7 @@ ${leftOut(report.entries)}
 ${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 </main>
 <footer>
-<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; if one end is much farther, − and + both ends. “×” is a multiple of the sphere-sphere test, measured in turns
+<p>Times are ${MEDIANS} “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines.</p>
 <p id="left-out">Noisy: the range of the time, or of the multiple, is wider than 30 % either way, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
 cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.</p>
@@ -94,10 +94,8 @@ function takenIn({ player, beside }) {
 }
 
 function section(figure, report, charts, clone) {
-	const mine = shownIn(figure, report.entries);
-	if (mine.length === 0) {
-		return '';
-	}
+	const [own, more] = tablesOf(figure, report.entries, { wasDisturbed: wasDisturbed(report), isComplete: report.isComplete });
+	if (!own) return '';
 	const chart = charts[figure.id];
 	const picture = chart ? `<div class="scroll"><div class="chart" style="height:${chart.height}px;min-width:${44 * (chart.labels?.length ?? 13)}px">
 <canvas id="${figure.id}" role="img" aria-label="${escape(figure.title)}"></canvas></div></div>` : '';
@@ -107,19 +105,18 @@ function section(figure, report, charts, clone) {
 ${chart ? `<p class="lead">${escape(figure.lead)} The scale is logarithmic.</p>` : ''}
 ${picture}
 ${isMarked ? '<p class="note crosses">× stands for a number that was left out.</p>' : ''}
-<div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.text)}</div>
-${figure.more && report.isComplete !== false ? `<h3>${escape(figure.more.title + (wasDisturbed(report) ? DISTURBED : ''))}</h3>\n<div class="scroll">${table(figure.more.head(mine), figure.more.rows(mine))}</div>` : ''}
-<p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}${figure.see ? ` More: <a href="${escape(`${clone}/${figure.see[0]}`)}">${escape(figure.see[1])}</a>.` : ''}</p>
+<div class="scroll">${table(own)}</div>
+${more ? `<h3>${escape(more.title)}</h3>\n<div class="scroll">${table(more)}</div>` : ''}
+<p class="note">${escape(noteOf(figure, own).replace(/^\* /, 'Bold: '))}${figure.see ? ` More: <a href="${escape(`${clone}/${figure.see[0]}`)}">${escape(figure.see[1])}</a>.` : ''}</p>
 </section>`;
 }
 
-function table([head, ...subheads], rows, textColumns = 1) {
-	const columns = head.map((_, column) => column).filter((column) => column === 0 || rows.some((row) => row[column]));
-	const heads = columns.map((column) => [head, ...subheads].map((line) => line[column]).filter(Boolean).map(escape).join(' '));
+function table({ head, rows, textColumns }) {
+	const heads = head[0].map((_, column) => head.map((line) => line[column]).filter(Boolean).map(escape).join(' '));
 	const type = (column) => (column < textColumns ? ' class="text"' : '');
 	const cell = (text, column) => (column === 0 ? `<th scope="row">${escape(text.trim())}</th>` : `<td${type(column)}>${mark(text)}</td>`);
-	return `<table><thead><tr>${columns.map((column, i) => `<th scope="col"${type(column)}>${heads[i]}</th>`).join('')}</tr></thead>
-<tbody>${rows.map((row) => `<tr${rowClass(row)}>${columns.map((column) => cell(row[column], column)).join('')}</tr>`).join('\n')}</tbody></table>`;
+	return `<table><thead><tr>${heads.map((text, column) => `<th scope="col"${type(column)}>${text}</th>`).join('')}</tr></thead>
+<tbody>${rows.map((row) => `<tr${rowClass(row)}>${row.map(cell).join('')}</tr>`).join('\n')}</tbody></table>`;
 }
 
 const rowClass = (row) => (['  thesis', '  JIT'].includes(row[0]) ? ' class="thesis"' : /^exponent|^  with/.test(row[0]) ? ' class="sum"' : '');
@@ -160,7 +157,7 @@ function compared(value, other) {
 	return value >= 1 ? [ratio(value), `as fast as ${other}`] : [ratio(1 / value), `as long as ${other}`];
 }
 
-const words = (name) => name.replace(/GB$/, ' in GB').replace(/^memory$/, 'memory');
+const words = (name) => name.replace(/GB$/, ' in GB');
 
 function escape(text) {
 	return String(text).replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');

@@ -18,7 +18,7 @@ import { refuse } from '../../build/refuse.mjs';
 import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
-import { differing, growth } from './figures.mjs';
+import { differing, growth, MEDIANS } from './figures.mjs';
 import { greatestLoad, load, loadText, machine, versions, wasBusy, wasDisturbed } from './machine.mjs';
 import { earlierText, moduleText, page } from './page.mjs';
 import { olderReportOrEnd } from './older.mjs';
@@ -63,31 +63,27 @@ const report = {
 await writeFile(file('report.json'), JSON.stringify(report, null, 1) + '\n');
 await writeFile(file('report.csv'), csv(report.entries));
 await writeFile(file('report.html'), await page(report, path.relative(folder, fileURLToPath(new URL('../..', import.meta.url)))));
-const run = { wasDisturbed: wasDisturbed(report), isComplete: report.isComplete };
-await writeFile(file('timing.txt'), tables(report.entries, run) + '\n');
-console.log(`\n${tables(taken, run)}\n`);
+const state = { wasDisturbed: wasDisturbed(report), isComplete: report.isComplete };
+await writeFile(file('timing.txt'), tables(report.entries, state) + '\n');
+console.log(`\n${tables(taken, state)}\n`);
 console.log(`Taken in ${report.versions.player}${beside ? `; the columns and rows named JIT in ${beside.player}` : ''}.`);
-if (report.module) {
-	console.log(moduleText(report.module));
-}
-console.log('Times and multiples are medians ± half the range of the repetitions, without the fastest and the slowest fifth; if one end is much farther, − and + both ends.');
+if (report.module) console.log(moduleText(report.module));
+console.log(`Times and multiples are ${MEDIANS}`);
 console.log(loadText(report.load, report.machine.cores));
 if (older) {
 	const date = older.created.slice(0, 16).replace('T', ' ');
 	console.log('\n' + (wasBusy(older) || wasBusy(report) ? `Nothing is compared with the report of ${date}: in ${wasBusy(older) ? 'its' : 'this'} run more programs ran than the machine has cores.`
 		: comparison(changes(older.entries, report.entries), date)));
 }
-if (report.earlierEntries) {
-	console.log(`${earlierText(report)} All tables are in ${file('timing.txt')}.`);
-}
+if (report.earlierEntries) console.log(`${earlierText(report)} All tables are in ${file('timing.txt')}.`);
 const again = repeats(taken, report.versions.commit, report.sources);
-if (again) {
-	console.log('\n' + again);
-}
+if (again) console.log('\n' + again);
 console.log(`\nThe report: ${file('report.html')}`);
-const wrong = differing(taken);
-if (wrong) {
-	console.log(`FAILED timing: collisions were not those of all pairs: ${wrong}`);
+for (const run of [results, beside].filter(Boolean)) {
+	const wrong = differing(run.entries);
+	if (!wrong) continue;
+	console.log(`FAILED timing: in ${run.player} collisions were not those of all pairs: ${wrong}`);
+	process.exitCode = 1;
 }
 if (results.isComplete === false) {
 	console.error(`The run ended early. The report has the ${taken.length} entries that it had measured.`);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,7 +9,7 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { chartsOf } from './charts.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
-import { differing, FIGURES, growth, holding, shownIn } from './figures.mjs';
+import { differing, FIGURES, growth, agentsAt25Frames, shownIn } from './figures.mjs';
 import { greatestLoad, loadText, wasBusy } from './machine.mjs';
 import { percent, quoted, ratio, significant, time } from './format.mjs';
 import { olderReport } from './older.mjs';
@@ -106,6 +106,23 @@ test('a collider whose collisions are not those of all pairs is named', () => {
 	assert.equal(differing(games.filter(({ agrees }) => agrees)), '');
 });
 
+test('collisions that are wrong in either player fail the report, which names the player', (t) => {
+	const folder = mkdtempSync(path.join(tmpdir(), 'report-test-'));
+	t.after(() => rmSync(folder, { recursive: true }));
+	const reported = (agrees) => {
+		mkdirSync(path.join(folder, 'beside'), { recursive: true });
+		for (const [player, where, agree] of [['Ruffle', '.', true], ['a shell', 'beside', agrees]]) {
+			const found = [timed('crowds', '100 bears', 'BinCollider', 1, { agents: 100, collisions: 5, agrees: agree })];
+			writeFileSync(path.join(folder, where, 'results.json'), JSON.stringify({ player, isComplete: true, entries: found }));
+		}
+		return spawnSync(process.execPath, [fileURLToPath(new URL('report.mjs', import.meta.url)), folder, `--beside=${folder}/beside`], { encoding: 'utf8' });
+	};
+	assert.equal(reported(true).status, 0);
+	const { status, stdout } = reported(false);
+	assert.equal(status, 1);
+	assert.match(stdout, /^FAILED timing: in a shell collisions were not those of all pairs: BinCollider, in 100 bears$/m);
+});
+
 test('a range that is much longer on one side has both ends', () => {
 	const text = tables([timed('tests', 'boxBox', 'engine', 0.00473, { low: 0.00453, high: 0.00723 }), timed('tests', 'boxBox', 'engine, all hit', null, { multiple: null, refused: 'noisy' })]);
 	assert.match(text, /^boxBox +4\.73 µs −4 \+53 % .* noisy$/m);
@@ -128,10 +145,10 @@ test('the games that keep 25 frames a second are named by their colliders', asyn
 	const game = (agents, variant, value) => timed('scattered', `${agents} mix`, variant, value, { agents, collisions: 0, agrees: true });
 	const games = [game(100, 'BinCollider', 1), game(1000, 'BinCollider', 9), game(100, 'TightestFitCollider', 4), game(1000, 'TightestFitCollider', 41),
 		game(100, 'HierarchicalCollider', 50), game(1000, 'HierarchicalCollider', null)];
-	assert.deepEqual(holding(games), [['mix', 'at least 1000', '100, not 1000', 'fewer than 100', '']]);
+	assert.deepEqual(agentsAt25Frames(games), [['mix', 'at least 1000', '100, not 1000', 'fewer than 100', '']]);
 	const uncertain = { ...game(300, 'TightestFitCollider', 41), low: 39 };
-	assert.deepEqual(holding([...games, uncertain]), holding(games));
-	assert.deepEqual(holding([{ ...game(10, 'BinCollider', 39), high: 41 }]), [['mix', 'noisy', '', '', '']]);
+	assert.deepEqual(agentsAt25Frames([...games, uncertain]), agentsAt25Frames(games));
+	assert.deepEqual(agentsAt25Frames([{ ...game(10, 'BinCollider', 39), high: 41 }]), [['mix', 'noisy', '', '', '']]);
 	const text = tables(games);
 	assert.match(text, /^25 frames a second: .*40 ms\n\ngame +Bin +TightestFit +Hierarchical\n─+\nmix +at least 1000 +100, not 1000 +fewer than 100\n/m);
 	assert.match(tables(games, { wasDisturbed: true }), /40 ms \(something else was running: it may be more\)\n/);
@@ -143,7 +160,7 @@ test('a collider of which no game has a time holds nobody knows how many', () =>
 	const game = (agents, variant, value) => timed('crowds', `${agents} mix`, variant, value, { agents });
 	const games = [game(100, 'BinCollider', 1), game(1000, 'BinCollider', null), game(100, 'TightestFitCollider', null), game(1000, 'TightestFitCollider', 41),
 		game(100, 'game.Discs', null)];
-	assert.deepEqual(holding(games), [['mix', 'at least 100', 'fewer than 1000', '', '', 'noisy']]);
+	assert.deepEqual(agentsAt25Frames(games), [['mix', 'at least 100', 'fewer than 1000', '', '', 'noisy']]);
 });
 
 test('a number that was refused has a mark in its chart', async () => {
@@ -193,8 +210,9 @@ test('what -Dcompare names must be a report, and the run does not begin without'
 	writeFileSync(text, '{"entries": []');
 	assert.throws(() => olderReport(text), /^Error: -Dcompare: .*text\.json is no report\.json of \.\/antw timing$/);
 	const begin = (...more) => spawnSync(process.execPath, [fileURLToPath(new URL('load.mjs', import.meta.url)), folder, ...more], { encoding: 'utf8' });
-	assert.deepEqual([begin('nothing.json').status, begin('nothing.json').stderr], [64, '-Dcompare: there is no file nothing.json\n']);
-	assert.equal(begin('').status, 0);
+	assert.deepEqual([begin('', 'nothing.json').status, begin('', 'nothing.json').stderr], [64, '-Dcompare: there is no file nothing.json\n']);
+	assert.match(begin('tests,test').stderr, /^-Dfigures: there is no "test"; there are volumes,fits,.*,monitor\n$/);
+	assert.equal(begin('tests', '').status, 0);
 });
 
 test('a busy machine is told', () => {
@@ -302,6 +320,11 @@ test('one table has a row for each collider: how often it is right, how long a f
 	assert.doesNotMatch(text, /^HierarchicalCollider/m);
 	assert.match(await page({ ...EMPTY, entries: shares }, '..'), /Which collider to take[^]*<a href="\.\.\/docs\/choosing\.md">/);
 	assert.match(tables(entries), /^collider +take it +100 bears +1000 mix$/m);
+	// a note says nothing of columns and rows that are not there
+	assert.match(text, /^Precision: the share/m);
+	assert.doesNotMatch(tables(entries), /Precision: the share/);
+	assert.match(text, /Exponent e:/);
+	assert.doesNotMatch(tables(entries.filter(({ agents }) => agents !== 10000)), /Exponent e:/);
 });
 
 test('a run that was cut does not say how many agents are too many', async () => {

@@ -255,9 +255,8 @@ package starlogo.bounding
          * lengths. They stay the same while an agent only moves. Allocates nothing.
          *
          * @param placement the model's placement; its position is ignored
-         * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. Those of a
-         *     capsule, a box or a hull are enlarged by the rounding error that extentsInto adds, without the part for the position. Those of a
-         *     sphere are its radius
+         * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. These are enlarged by the rounding error that
+         *     extentsInto adds, without the part for the position. Those of a sphere are its radius itself, because SpherePairTests reads it there
          * @private
          */
         engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void

@@ -248,9 +248,7 @@ package starlogo.bounding
         /** @private */
         override engine function setShape(out:ConvexShape):void
         {
-            // a field, because V8 would make an object for an argument
-            out.boundingRadius = _boundingRadius;
-            out.setHull(center, relativeCorners, topology.faces, topology.edges, _boundingRadius >= 0);
+            out.setHull(center, relativeCorners, topology.faces, topology.edges, _boundingRadius);
             _boundingRadius = out.boundingRadius;
             out.radius = radius;
         }

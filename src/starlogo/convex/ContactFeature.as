@@ -18,7 +18,7 @@ package starlogo.convex
         // The rounding error of the corners that findFarthest() has found: how far from the farthest, from a line or from each other they still count.
         private var _cornerTolerance:Number = 0;
 
-        // A second list. An outline or the result of a cut is written to it, and then it takes the place of the first.
+        // A second list: startOver() exchanges the two.
         private var _spare:Vector.<Number> = new Vector.<Number>();
 
         /** Whether the feature is a corner. */
@@ -76,11 +76,8 @@ package starlogo.convex
          */
         public function orderAsOutline(contact:ContactPoint):void
         {
-            var found:Vector.<Number> = points;
             var foundEnd:int = length;
-            points = _spare;
-            _spare = found;
-            length = 0;
+            var found:Vector.<Number> = startOver();
             // the first is farthest from another one
             var first:int = farthestFrom(0, found, foundEnd);
             var last:int = farthestFrom(first, found, foundEnd);
@@ -126,6 +123,16 @@ package starlogo.convex
                 cut(face, last, at, contact, true);
                 last = at;
             }
+        }
+
+        // Begins without corners. Returns the list of those before, which stays as it is until the next call.
+        private function startOver():Vector.<Number>
+        {
+            var before:Vector.<Number> = points;
+            points = _spare;
+            _spare = before;
+            length = 0;
+            return before;
         }
 
         private function add(from:Vector.<Number>, at:int):void
@@ -232,12 +239,10 @@ package starlogo.convex
             var inZ:Number = contact.normalX * edgeY - contact.normalY * edgeX;
             // what is at least so far inwards is kept
             var border:Number = inX * corners[to] + inY * corners[int(to + 1)] + inZ * corners[int(to + 2)];
-            var kept:Vector.<Number> = _spare;
-            var before:Vector.<Number> = points;
             var innermost:Number = -Infinity;
             for (var i:int = 0; i < length; i += 3)
             {
-                var projection:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
+                var projection:Number = inX * points[i] + inY * points[int(i + 1)] + inZ * points[int(i + 2)];
                 innermost = projection > innermost ? projection : innermost;
             }
             // rounding is relative to the face's extent, which two of its edges tell
@@ -254,35 +259,30 @@ package starlogo.convex
                 border = innermost;
             }
             border -= rounding;
-            var count:int = 0;
-            var last:int = length - 3;
-            var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - border;
             // an edge is not a closed outline
             var isEdge:Boolean = length == EDGE;
-            for (var at:int = 0; at < length; at += 3)
+            var end:int = length;
+            var before:Vector.<Number> = startOver();
+            var last:int = end - 3;
+            var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - border;
+            for (var at:int = 0; at < end; at += 3)
             {
                 var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - border;
                 if (inwards >= 0 != lastInwards >= 0 && !(isEdge && at == 0))
                 {
                     var fraction:Number = lastInwards / (lastInwards - inwards);
-                    kept[count] = before[last] + fraction * (before[at] - before[last]);
-                    kept[int(count + 1)] = before[int(last + 1)] + fraction * (before[int(at + 1)] - before[int(last + 1)]);
-                    kept[int(count + 2)] = before[int(last + 2)] + fraction * (before[int(at + 2)] - before[int(last + 2)]);
-                    count += 3;
+                    points[length] = before[last] + fraction * (before[at] - before[last]);
+                    points[int(length + 1)] = before[int(last + 1)] + fraction * (before[int(at + 1)] - before[int(last + 1)]);
+                    points[int(length + 2)] = before[int(last + 2)] + fraction * (before[int(at + 2)] - before[int(last + 2)]);
+                    length += 3;
                 }
                 if (inwards >= 0)
                 {
-                    kept[count] = before[at];
-                    kept[int(count + 1)] = before[int(at + 1)];
-                    kept[int(count + 2)] = before[int(at + 2)];
-                    count += 3;
+                    add(before, at);
                 }
                 last = at;
                 lastInwards = inwards;
             }
-            points = kept;
-            _spare = before;
-            length = count;
             return !isAllOutside;
         }
     }

@@ -121,21 +121,9 @@ package starlogo.convex
             origin.copyFrom(center);
             reset(BOX, 24, BOX_FACES, BOX_EDGES);
             boundingRadius = 2 * (halves.x + halves.y + halves.z);
-            // half of each edge first, in the place of the corner at its end
-            var p:Vector.<Number> = points;
-            p[3] = halves.x * axisX.x;
-            p[4] = halves.x * axisX.y;
-            p[5] = halves.x * axisX.z;
-            p[6] = halves.y * axisY.x;
-            p[7] = halves.y * axisY.y;
-            p[8] = halves.y * axisY.z;
-            p[12] = halves.z * axisZ.x;
-            p[13] = halves.z * axisZ.y;
-            p[14] = halves.z * axisZ.z;
-            for (var at:int = 0; at < 3; at++)
-            {
-                writeCorners(at);
-            }
+            writeCorners(0, halves.x * axisX.x, halves.y * axisY.x, halves.z * axisZ.x);
+            writeCorners(1, halves.x * axisX.y, halves.y * axisY.y, halves.z * axisZ.y);
+            writeCorners(2, halves.x * axisX.z, halves.y * axisY.z, halves.z * axisZ.z);
         }
 
         /** Sets the core to a triangle: nine numbers of a list, from an index on. */
@@ -165,14 +153,15 @@ package starlogo.convex
          *
          * @param faces three points of each face, counter-clockwise as seen from outside, as indices of their first numbers
          * @param edges of each edge both ends, and one more point of each of its two faces
-         * @param isRadiusKnown whether an earlier call has found <code>boundingRadius</code> for the same points. To find it takes long beside a test
+         * @param knownBoundingRadius that of the same points, from an earlier call; less than 0 if it is to be found, which takes long beside a test
          */
-        public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, isRadiusKnown:Boolean = false):void
+        public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, knownBoundingRadius:Number = -1):void
         {
             origin.copyFrom(center);
             reset(HULL, points.length, faces, edges);
             this.points = points;
-            if (!isRadiusKnown)
+            boundingRadius = knownBoundingRadius;
+            if (knownBoundingRadius < 0)
             {
                 setBoundingRadius();
             }
@@ -269,13 +258,10 @@ package starlogo.convex
             radius = margin = 0;
         }
 
-        // Writes a coordinate of a box's corners, from that of half its edges.
-        private function writeCorners(at:int):void
+        // Writes a coordinate of a box's corners: at 0 for x, 1 for y, 2 for z. Takes that of half an edge along each of the box's axes.
+        private function writeCorners(at:int, alongX:Number, alongY:Number, alongZ:Number):void
         {
             var p:Vector.<Number> = points;
-            var alongX:Number = p[int(at + 3)];
-            var alongY:Number = p[int(at + 6)];
-            var alongZ:Number = p[int(at + 12)];
             p[int(at + 21)] = alongX + alongY + alongZ;
             p[int(at + 18)] = alongY + alongZ - alongX;
             p[int(at + 15)] = alongX + alongZ - alongY;

@@ -29,10 +29,9 @@ package starlogo.convex
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
-        // An axis to try, of any length. How far the set of all differences of a point of the first core and a point of the second extends along it, and
-        // how far the second core does.
+        // An axis to try, of any length. How far the cores' Minkowski difference (see GjkDistance) extends along it, and how far the second core does.
         private var _axis:Vector3D = new Vector3D();
-        private var _differences:Interval = new Interval();
+        private var _difference:Interval = new Interval();
         private var _ofSecond:Interval = new Interval();
 
         /** Finds the displacement of the first core: along the axis, as long as the cores overlap along it. */
@@ -118,7 +117,7 @@ package starlogo.convex
                 readEdge(first, i, _edge, 0);
                 for (var k:int = 0; k < end; k += PER_EDGE)
                 {
-                    if (areBare || isOutOfBoth(k))
+                    if (areBare || isMinkowskiFace(k))
                     {
                         findAcross(_edge[0], _edge[1], _edge[2], _edges[k], _edges[int(k + 1)], _edges[int(k + 2)], _axis);
                         considerAxis(_axis, cores, out);
@@ -127,9 +126,9 @@ package starlogo.convex
             }
         }
 
-        // Whether the perpendicular of an edge u of the first core and an edge v of the second points out of both cores: all of each core is on one side
-        // of its edge. That is so if both faces at u are on one side of v, both at v on one side of u, and these two sides are the same.
-        private function isOutOfBoth(k:int):Boolean
+        // Whether an edge u of the first core and an edge v of the second make a face of the Minkowski difference: their perpendicular points out of both
+        // cores. That is so if both faces at u are on one side of v, both at v on one side of u, and these two sides are the same.
+        private function isMinkowskiFace(k:int):Boolean
         {
             var u:Vector.<Number> = _edge;
             var v:Vector.<Number> = _edges;
@@ -200,11 +199,11 @@ package starlogo.convex
             takeLonger(cores.first, axis);
             takeLonger(cores.second, axis);
             turnUpwards(axis);
-            projectDifferences(axis, cores, _differences);
+            projectDifference(axis, cores, _difference);
             // rounding hides on which side they are
-            var isDown:Boolean = _differences.max < -_differences.min - Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
+            var isDown:Boolean = _difference.max < -_difference.min - Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
             var sign:int = isDown ? -1 : 1;
-            out.setTo(sign * axis.x, sign * axis.y, sign * axis.z, isDown ? -_differences.max : _differences.min);
+            out.setTo(sign * axis.x, sign * axis.y, sign * axis.z, isDown ? -_difference.max : _difference.min);
         }
 
         // Replaces an axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
@@ -248,8 +247,7 @@ package starlogo.convex
             }
         }
 
-        // Tries a displacement along an axis, and the one against it. The axis gets a length of 1 unless both are too long. If it is 0,
-        // there is nothing to try.
+        // Takes an axis of any length, or its opposite, if the cores are farther apart along it than along the axis before. An axis of length 0 is none.
         private function considerAxis(axis:Vector3D, cores:CorePair, out:SeparatingAxis):void
         {
             var squared:Number = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
@@ -257,38 +255,36 @@ package starlogo.convex
             {
                 return;
             }
-            projectDifferences(axis, cores, _differences);
-            // how long the two displacements are, times the axis's length
-            var forth:Number = -_differences.min;
-            var back:Number = _differences.max;
-            var least:Number = back < forth ? back : forth;
-            if (least > 0 && least * least >= out.separation * out.separation * squared)
+            projectDifference(axis, cores, _difference);
+            // how far the cores are apart along the axis and along its opposite, times the axis's length
+            var along:Number = _difference.min;
+            var against:Number = -_difference.max;
+            var greater:Number = against > along ? against : along;
+            if (greater < 0 && greater * greater >= out.separation * out.separation * squared)
             {
                 return;
             }
             var length:Number = Math.sqrt(squared);
-            axis.x /= length;
-            axis.y /= length;
-            axis.z /= length;
-            back /= length;
-            forth /= length;
+            along /= length;
+            against /= length;
             var rounding:Number = Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
-            var sign:int = back < forth ? -1 : 1;
-            if (back - forth <= rounding && forth - back <= rounding)
+            var isOpposite:Boolean = against > along;
+            if (against - along <= rounding && along - against <= rounding)
             {
                 // rounding hides on which side they are, but not where the first one comes from
                 var speed:Number = axis.x * cores.motionX + axis.y * cores.motionY + axis.z * cores.motionZ;
-                sign = speed > 0 ? -1 : speed < 0 ? 1 : sign;
+                isOpposite = speed == 0 ? isOpposite : speed > 0;
             }
-            var separation:Number = sign < 0 ? -back : -forth;
+            var separation:Number = isOpposite ? against : along;
             if (separation > out.separation + rounding)
             {
-                out.setTo(sign * axis.x, sign * axis.y, sign * axis.z, separation);
+                length = isOpposite ? -length : length;
+                out.setTo(axis.x / length, axis.y / length, axis.z / length, separation);
             }
         }
 
-        // Finds how far the differences of the cores' points extend along an axis. The cores are apart if 0 is not between.
-        private function projectDifferences(axis:Vector3D, cores:CorePair, out:Interval):void
+        // Finds how far the Minkowski difference extends along an axis. The cores are apart if 0 is not between.
+        private function projectDifference(axis:Vector3D, cores:CorePair, out:Interval):void
         {
             cores.first.project(axis, out);
             cores.second.project(axis, _ofSecond);

@@ -73,7 +73,11 @@ package starlogo.intersection
         {
             var gap:CoreGap = _gap;
             findGap(first, second, motion, gap);
-            centerPoint(first as Capsule, second, gap);
+            if (first.kind == BoundingStructure.CAPSULE)
+            {
+                // of the points of its axis that are equally close, the one in the middle
+                setPoint(first as Capsule, second.kind == BoundingStructure.CAPSULE ? _segments.middleOfU : _segment.middleIn(second as Box), gap);
+            }
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.size;
             if (gap.squaredLength > least * least)
@@ -107,15 +111,6 @@ package starlogo.intersection
             else
             {
                 findFromCapsuleToBox(a as Capsule, b as Box, motion, out);
-            }
-        }
-
-        // Moves the closest point of a capsule, if it is one, to the middle of the points of its axis that are equally close.
-        private function centerPoint(a:Capsule, b:BoundingStructure, out:CoreGap):void
-        {
-            if (a != null)
-            {
-                setPoint(a, b.kind == BoundingStructure.CAPSULE ? _segments.middleOfU : _segment.middleIn(b as Box), out);
             }
         }
 

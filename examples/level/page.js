@@ -38,8 +38,7 @@ scene.add(land);
 const greatLand = new GreatLand();
 greatLand.addModel(BuiltInModel.sphere());
 greatLand.addModel(BuiltInModel.capsule(0.3, 1.8, "person")); // its place is where its feet are
-greatLand.loadTightestFit = false; // the level's tree is enough
-greatLand.addModel(levelFromObject("level", land));
+greatLand.addLevel(levelFromObject("level", land));
 const game = new Game(greatLand);
 
 const { walkers } = game;

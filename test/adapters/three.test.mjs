@@ -306,7 +306,50 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			lift.object.position.x = 1;
 			collision.restore(bytes, [lift.agent, hero.agent]);
 			lift.binding.updateAgent();
+			// a crate whose model stands on its origin; an agent that is put at the origin; an object that waits unseen; sparks that are one agent
+			const crate = new THREE.Mesh(new THREE.BoxGeometry());
+			crate.position.y = 0.5;
+			new ThreeAgentBinding(new Agent("crate"), crate, modelFromObject("crate", crate)).updateObject();
+			const [begun, unseen] = [bound(5), bound(5)];
+			begun.agent.moveTo(0, 0, 0);
+			unseen.object.visible = false;
+			for (const { binding } of [begun, unseen]) binding.updateObject();
+			const sparks = new THREE.InstancedMesh(new THREE.BoxGeometry(), undefined, 3);
+			new ThreeAgentBinding(new Agent("sparks"), sparks).updateObject();
+			// objects that lead into a wall, at an even pace and at another, and are pushed out of it with their agents
+			const walking = [bound(), bound()];
+			for (let i = 1; i < 40; i++) {
+				for (const [k, { agent, object, binding }] of walking.entries()) {
+					object.position.x += 0.25 + k * 0.01 * (i % 3);
+					binding.updateAgent();
+					if (agent.x <= 2) continue;
+					agent.moveTo(2, 0, 0);
+					object.position.x = 2;
+					object.updateMatrix(); // as it is drawn
+				}
+			}
+			// a lift that follows the game's own time, back by some frames and on again
+			const timed = bound();
+			let time = 0;
+			const rise = () => {
+				timed.object.position.y = 3 * Math.sin(++time / 60);
+				timed.binding.updateAgent();
+				collision.update([timed.agent]);
+				return { bytes: collision.snapshot(true), time };
+			};
+			const kept = [];
+			for (let i = 0; i < 500; i++) {
+				kept.push(rise());
+				const back = i < 60 ? 0 : [0, 1, 0, 2, 5, 30][i % 6];
+				if (back === 0) continue;
+				const then = kept.at(-1 - back);
+				collision.restore(then.bytes, [timed.agent]);
+				time = then.time;
+				kept.length -= back;
+				for (let k = 0; k < back; k++) kept.push(rise());
+			}
 			assert.deepEqual(soFar, []);
+			collision.update([lift.agent, hero.agent]);
 			for (let i = 0; i < 2; i++) goBack();
 			frame(1);
 			// an agent that should lead

@@ -54,7 +54,7 @@ export class ThreeAgentBinding {
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isYUp);
 		else warnings?.ofNoModel(agent, object);
-		if (index === null && !conversionOf(model)?.indices.has(object)) warnings?.ofInstances(agent, object);
+		if (index === null) warnings?.ofInstances(agent, object);
 		if ((modelUp === undefined ? conversionOf(model)?.isYUp ?? isYUp : isAxisY(modelUp, "ThreeAgentBinding: options.modelUp")) !== isYUp) {
 			const upright = new Quaternion(isYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
 			this.#turn = this.#turn ? this.#turn.multiply(upright) : upright;
@@ -88,13 +88,14 @@ export class ThreeAgentBinding {
 	updateObject() {
 		const agentTransform = this.#agentTransform;
 		const hasMoved = this.#hasMoved();
-		warnings?.ofUpdateObject(this.agent, this.object);
+		const placeBefore = warnings?.placeIfFirst(this.agent, this.object);
 		if (!agentTransform.readIfChanged() && !hasMoved) return;
 		const { position, quaternion } = components;
 		position.copy(this.#origin).multiplyScalar(agentTransform.size).applyQuaternion(agentTransform.quaternion).add(agentTransform.position);
 		quaternion.copy(agentTransform.quaternion);
 		if (this.#turn) quaternion.multiply(this.#turn);
 		this.#objectTransform.compose(position, quaternion, agentTransform.size * this.#scale);
+		if (placeBefore) warnings.ofFirstUpdate(this.agent, this.object, placeBefore);
 		this.#objectTransform.snapshotInto(this.#lastSnapshot);
 	}
 
@@ -102,7 +103,8 @@ export class ThreeAgentBinding {
 	updateAgent() {
 		const agentTransform = this.#agentTransform;
 		const placeBefore = warnings?.placeIfMoved(this.agent);
-		if (this.#hasMoved()) {
+		const hasMoved = this.#hasMoved();
+		if (hasMoved) {
 			this.#decomposeObject();
 			const { position, quaternion, scale } = components;
 			const size = agentTransform.sizeFor(scale.x / this.#scale);
@@ -115,7 +117,7 @@ export class ThreeAgentBinding {
 			// where it was at the last update, without the rounding of a way back from the object
 			agentTransform.moveAgentTo(agentTransform.position, agentTransform.quaternion, agentTransform.size);
 		}
-		warnings?.ofUpdateAgent(this.agent, placeBefore);
+		warnings?.ofUpdateAgent(this.agent, this.object, placeBefore, hasMoved);
 	}
 
 	/** Gives the model the pose of the object. */

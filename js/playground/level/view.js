@@ -39,8 +39,7 @@ export async function createView(main) {
 	const greatLand = new GreatLand();
 	greatLand.addModel(ball);
 	greatLand.addModel(BuiltInModel.capsule(0.3, 1.8, "person"));
-	greatLand.loadTightestFit = false;
-	greatLand.addModel(level);
+	greatLand.addLevel(level);
 	return new LevelView(main, greatLand, land, new Map([["person", drawnPerson()], ["sphere", ball]]), level.triangles.length / 3);
 }
 

@@ -87,7 +87,7 @@ package starlogo.libraries
          */
         public function missing(what:String, name:String, flag:String):ArgumentError
         {
-            var remedy:String = names.indexOf(name) < 0 ? "to the GreatLand or to this library first" + hintOfName(name, names) : "first, with " + flag + " set";
+            var remedy:String = names.indexOf(name) < 0 ? "to the GreatLand or to this library first" + hintOfName(name, names) : "again by addModel(), with " + flag + " set";
             return new ArgumentError("there is no " + what + " for shape \"" + name + "\": add its model " + remedy);
         }
     }

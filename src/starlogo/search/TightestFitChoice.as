@@ -39,8 +39,8 @@ package starlogo.search
             var model:String = shape.modelName;
             if (!library.has(model))
             {
-                throw new ArgumentError(agent + ": its model was added by addLevel() or while loadTightestFit was false; set hierarchical of the agent in a CombinationCollider, or "
-                        + "loadTightestFit to true and add the model again");
+                throw new ArgumentError(agent + ": its model was added by addLevel() or while loadTightestFit was false. For a level set hierarchical of the agent, in a CombinationCollider; "
+                        + "for another model set loadTightestFit to true, and add it again by addModel()");
             }
             if (shape.variant != Agent.ANY_KIND)
             {

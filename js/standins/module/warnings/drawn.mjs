@@ -1,11 +1,15 @@
 /** What the adapter to three.js draws elsewhere than it collides, or cannot read. The adapter calls these functions itself. */
+import { $putAtOrigin } from "./shots.mjs";
 import { $restored } from "./snapshots.mjs";
 import { $rounded, $warn } from "./warn.mjs";
 
 /** So many updates in turn that put an agent back to its object are no accident. */
 const $MANY_UNDONE = 10;
 
-/** Of an agent: where it was after the last update of its binding, and how many updates in turn have put it back to its object. */
+/**
+ * Of an agent: where it was after the last update of its binding, the longest step from one update to the next, and how many updates in turn have put it
+ * back to its object.
+ */
 const $lastPlaces = /* @__PURE__ */ new WeakMap();
 
 /** For each source of a model: the name of the last one, and its place in the source. */
@@ -15,7 +19,7 @@ const $sources = /* @__PURE__ */ new WeakMap();
 export function $warningsForAdapters() {
 	return {
 		keepSource: $keepSource, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
-		ofUpdateObject: $warnOfUpdateObject, placeIfMoved: $placeIfMoved, ofUpdateAgent: $warnOfUpdateAgent, errorOfVertex: $errorOfVertex,
+		placeIfFirst: $placeIfFirst, ofFirstUpdate: $warnOfFirstUpdate, placeIfMoved: $placeIfMoved, ofUpdateAgent: $warnOfUpdateAgent, errorOfVertex: $errorOfVertex,
 	};
 }
 
@@ -53,25 +57,26 @@ function $warnOfScale(agent, object) {
 		+ "Put the mesh into a Group, make the model of the group, and bind the group", `scale of ${agent.shape}`);
 }
 
-/** Warns of an InstancedMesh that is bound as a whole, by a model that is one of its instances. */
-function $warnOfInstances(agent, { isInstancedMesh, count }) {
-	if (!isInstancedMesh || count < 2) return;
+/** Warns of an InstancedMesh that is bound as a whole to an agent with the model of one of its instances. */
+function $warnOfInstances(agent, { isInstancedMesh, count, geometry }) {
+	if (!isInstancedMesh || count < 2 || $sources.get(geometry)?.name !== agent.shape) return;
 	$warn(`new ThreeAgentBinding(agent, mesh) moves all ${count} instances of the mesh of ${agent}. To move one of them, take `
 		+ "bindInstance(agent, mesh, index, model)", `instances of ${agent.shape}`);
 }
 
-/**
- * The first update of an agent's binding takes the object to the agent: warns if it leads away from the object's place, and the agent is still where it
- * was made.
- */
-function $warnOfUpdateObject(agent, { isInstancedMesh, position, matrixAutoUpdate }) {
+/** Where an object is before updateObject() takes it to its agent; null unless it is drawn, this is the first update, and nobody has put the agent anywhere. */
+function $placeIfFirst(agent, { isInstancedMesh, position, matrixAutoUpdate, visible }) {
 	const isFirst = !$lastPlaces.has(agent) && !$restored.has(agent);
 	$keepPlace(agent, 0);
-	const isMade = agent.x === 0 && agent.y === 0 && agent.z === 0 && agent.size === 1;
-	const place = position.toArray();
-	if (!isFirst || !isMade || isInstancedMesh || !matrixAutoUpdate || place.every((each) => Math.abs(each) < 1e-6)) return;
-	$warn(`updateObject() takes the object of ${agent} from (${place.map($rounded).join(", ")}) to the origin, where the agent is. If the object stands where it `
-		+ "should, call updateAgent() once before", `first update of ${agent.shape}`);
+	const isMade = agent.x === 0 && agent.y === 0 && agent.z === 0 && agent.size === 1 && !$putAtOrigin.has(agent);
+	return isFirst && isMade && !isInstancedMesh && matrixAutoUpdate && visible ? position.clone() : null;
+}
+
+/** Warns of a first update that has taken an object away from its place, to where its agent was made. */
+function $warnOfFirstUpdate(agent, { position }, placeBefore) {
+	if (!$isElsewhere(position, placeBefore)) return;
+	$warn(`updateObject() takes the object of ${agent} from (${placeBefore.toArray().map($rounded).join(", ")}) to the origin, where the agent is. If the object `
+		+ "stands where it should, call updateAgent() once before", `first update of ${agent.shape}`);
 }
 
 /** Where an agent is, if it has moved since the last update of its binding. */
@@ -80,28 +85,45 @@ function $placeIfMoved(agent) {
 	return last && $isElsewhere(agent, last) ? { x: agent.x, y: agent.y, z: agent.z } : null;
 }
 
-/** Warns of an agent that has moved, and is put back to its object: by each of many updates in turn, or after a snapshot has moved it. */
-function $warnOfUpdateAgent(agent, placeBefore) {
+/**
+ * Warns of an agent that has moved, and is put back to its object: by each of many updates in turn, while the object stays; or after a snapshot has moved
+ * it. An object that goes back, too, and then on by a step, is near where the snapshot has put the agent.
+ *
+ * @param placeBefore where the agent was before the update, if it had moved since the last one; else null
+ * @param isLed whether the object has moved since the last update
+ */
+function $warnOfUpdateAgent(agent, object, placeBefore, isLed) {
 	const isUndone = placeBefore !== null && $isElsewhere(agent, placeBefore);
-	if (isUndone && $restored.has(agent)) {
+	const last = $lastPlaces.get(agent);
+	if (isUndone && $restored.has(agent) && $distance(agent, placeBefore) > Math.max($distance(agent, last), 1.5 * last.longestStep)) {
 		$warn(`restore() has put ${agent} back, and updateAgent() undoes it, because its object is not back: call binding.updateObject() after restore(), `
 			+ "for all bindings. See docs/snapshots.md in the package", "restored object");
 	}
-	const undone = isUndone ? $lastPlaces.get(agent).undone + 1 : 0;
+	const undone = isUndone && !isLed && !$isDrawnElsewhere(object) ? last.undone + 1 : 0;
 	$keepPlace(agent, undone);
 	if (undone !== $MANY_UNDONE) return;
 	$warn(`${agent} was moved before each of ${undone} updateAgent() in turn, which undo it, because they take its object's place. If the agent leads, `
 		+ "call updateObject() instead", "undone");
 }
 
-function $keepPlace(agent, undone) {
-	$restored.delete(agent);
-	$lastPlaces.set(agent, { x: agent.x, y: agent.y, z: agent.z, undone });
+/** Whether an object was drawn elsewhere since the last update: it was moved with its agent, and then back. */
+function $isDrawnElsewhere({ matrixAutoUpdate, matrix, position }) {
+	return matrixAutoUpdate && $isElsewhere(position, new Vector3D(...matrix.elements.slice(12, 15)));
 }
 
-/** Whether an agent is elsewhere, by more than rounding. */
-function $isElsewhere(agent, { x, y, z }) {
-	return Math.hypot(agent.x - x, agent.y - y, agent.z - z) > 1e-6 * (1 + Math.hypot(x, y, z));
+function $keepPlace(agent, undone) {
+	$restored.delete(agent);
+	const last = $lastPlaces.get(agent);
+	$lastPlaces.set(agent, { x: agent.x, y: agent.y, z: agent.z, longestStep: last ? Math.max($distance(agent, last), last.longestStep) : 0, undone });
+}
+
+/** Whether what has a place is elsewhere, by more than rounding. */
+function $isElsewhere(placed, { x, y, z }) {
+	return $distance(placed, { x, y, z }) > 1e-6 * (1 + Math.hypot(x, y, z));
+}
+
+function $distance({ x, y, z }, other) {
+	return Math.hypot(other.x - x, other.y - y, other.z - z);
 }
 
 /** Warns of a level below a parent that is moved, turned or scaled in the scene. It may be the land, so it is no error. A land with z up is turned. */

@@ -1,7 +1,7 @@
 /** Questions whose update is forgotten, or whose Collision's is, and that have not seen the ground. */
 import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
-import { $forgetShot } from "./shots.mjs";
+import { $forgetShot, $placeOf } from "./shots.mjs";
 import { $hasWarned, $getOrInsert, $warn } from "./warn.mjs";
 
 /** After so many frames without an update, or walks of one agent, the agents' places are compared. */
@@ -10,19 +10,19 @@ const $LONG_WITHOUT_UPDATE = 300;
 /** So many agents are compared. */
 const $MOST_PLACES = 100;
 
-/** So many updates of questions pass before the Collision's own is missed, or so many of these after which they have moved an agent. */
+/** So many updates of questions pass before the Collision's own is missed, or so many of these after which they have moved an agent, if it has got somewhere. */
 const $LONG_WITHOUT_FRAMES = 3000;
 const $LONG_PLAY_WITHOUT_FRAMES = 300;
 
 /**
- * Of questions: how many updates they had before their Collision's first, and after how many of these they moved an agent; the list of their last update, and when it was; the first agent
- * that they have moved since, and how often; where the list's first agents are once that is long ago; the agents that the questions move
- * themselves.
+ * Of questions: how many updates they had before their Collision's first, after how many of these they moved an agent, and where it was first; the list
+ * of their last update, and when it was; the first agent that they have moved since, and how often; where the list's first agents are once that is long
+ * ago; the agents that the questions move themselves.
  */
 const $questions = /* @__PURE__ */ new WeakMap();
 
 function $newQuestions() {
-	return { updatesBefore: 0, playedBefore: 0, agents: null, updated: 0, walker: null, walks: 0, places: null, movers: new WeakSet() };
+	return { updatesBefore: 0, playedBefore: 0, start: null, agents: null, updated: 0, walker: null, walks: 0, places: null, movers: new WeakSet() };
 }
 
 /** The questions that were asked last, and when. */
@@ -71,15 +71,19 @@ function $warnOfLateGround(queries) {
 
 /**
  * Warns of a forgotten collision.update(): questions about a Collision with handlers are updated many times, and the Collision never is. It
- * waits long if they move nobody, because a game may show its title before its first frame.
+ * waits long if who is moved stays where it is, because a game may show its title before its first frame.
  */
 export function $warnOfNoFrames(queries) {
 	const collision = queries._source;
 	if (!(collision._handlers?._lists.length > 0) || $isUpdated(collision)) return;
 	const kept = $getOrInsert($questions, queries, $newQuestions);
 	kept.updatesBefore++;
-	if (kept.walker !== null) kept.playedBefore++;
-	if (kept.updatesBefore < $LONG_WITHOUT_FRAMES && kept.playedBefore < $LONG_PLAY_WITHOUT_FRAMES) return;
+	if (kept.walker !== null) {
+		kept.playedBefore++;
+		kept.start ??= $placeOf(kept.walker);
+	}
+	const isPlayed = kept.playedBefore >= $LONG_PLAY_WITHOUT_FRAMES && kept.walker !== null && $placeOf(kept.walker).subtract(kept.start).length > kept.walker.size;
+	if (!isPlayed && kept.updatesBefore < $LONG_WITHOUT_FRAMES) return;
 	const breeds = $breedsWithHandlers(collision);
 	$warn(`questions were updated ${kept.updatesBefore} times, and their Collision with handlers${breeds ? ` for ${breeds}` : ""} never, `
 		+ "so no handler runs: call collision.update(agents) once a frame, too", `no frames ${breeds}`);

@@ -32,11 +32,15 @@ const $placed = /* @__PURE__ */ new Map();
  */
 const $shots = /* @__PURE__ */ new Map();
 
+/** Agents that were put at the world's origin, where a new one is anyway. */
+export const $putAtOrigin = /* @__PURE__ */ new WeakSet();
+
 /** How far the farthest vertex of a model is from its origin. */
 const $reaches = /* @__PURE__ */ new WeakMap();
 
 /** Keeps where an agent is put, if no path leads there: a new one by moveTo, or any by jumpTo. */
 export function $warnOfPlace(agent, x, y, z, isJump) {
+	if (x === 0 && y === 0 && z === 0) $putAtOrigin.add(agent);
 	if (!isJump && (agent.id <= $greatestId || $placed.has(agent)) || $placed.size >= $MOST_PLACED) return;
 	if (!isInWorld(x, y, z)) return; // the engine refuses it
 	$placed.set(agent, { x, y, z });
@@ -82,13 +86,18 @@ function $followShot(collision, agents, agent, shot, leastLeft) {
 	$shots.clear();
 }
 
-/** The agent that a shot has passed through in a step from a place; undefined if there is none, or if too many were tested. */
-function $passedBy({ collisionSystem, _handlers: { interests } }, agents, agent, from, step, leastLeft) {
+/**
+ * The agent that a shot has passed through in a step from a place; undefined if there is none, or if too many were tested. A filter may leave out what
+ * shots go through, so with one nothing is said.
+ */
+function $passedBy({ collisionSystem, filter, _handlers: { interests } }, agents, agent, from, step, leastLeft) {
+	const { table } = collisionSystem.$search ?? {};
+	if (!table || filter) return undefined;
 	const greatLand = $greatLandOf(collisionSystem);
 	const reach = $reachOf(greatLand, agent);
 	// an agent that sweeps meets the shot, and another shot may fly beside it
-	return agents.find((other) => $testsLeft > leastLeft && $isNear(from, step, other, reach + $reachOf(greatLand, other)) && !other.sweeps
-		&& !$shots.has(other) && interests.includes(agent.$breedNumber, other.$breedNumber) && $isBetween(collisionSystem, agent, from, step, other));
+	return agents.find((other) => $testsLeft > leastLeft && $isNear(from, step, other, reach + $reachOf(greatLand, other) + step.length) && !other.sweeps
+		&& !$shots.has(other) && interests.includes(agent.$breedNumber, other.$breedNumber) && $isBetween(collisionSystem, table, agent, from, step, other));
 }
 
 /** Whether a step from a place leads to less than a distance from another agent's place. */
@@ -112,8 +121,14 @@ function $reachOfModel({ vertices }) {
 	return reach;
 }
 
-/** Whether a shot touches another agent at a place of its step from a place, and at neither end. */
-function $isBetween(collisionSystem, agent, from, { x, y, z, length }, other) {
+/** Whether a shot touches another agent at a place of its step from a place, and at neither end. The step is relative to the other, which may fly along. */
+function $isBetween(collisionSystem, table, agent, from, step, other) {
+	const row = table.listed.rowOf(other);
+	if (!table.isSeen(row)) return false;
+	const { x: xs, y: ys, z: zs } = table.$places;
+	const otherStep = $placeOf(other).subtract(new Vector3D(xs[row], ys[row], zs[row]));
+	from = from.add(otherStep);
+	const { x, y, z, length } = step.subtract(otherStep);
 	const places = Math.min($MOST_SAMPLES, Math.ceil(length / agent.size));
 	const touchesAt = (place) => {
 		$testsLeft--;
@@ -133,7 +148,8 @@ function $isBetween(collisionSystem, agent, from, { x, y, z, length }, other) {
 	}
 }
 
-function $placeOf({ x, y, z }) {
+/** Where an agent is. */
+export function $placeOf({ x, y, z }) {
 	return new Vector3D(x, y, z);
 }
 

@@ -46,7 +46,8 @@ export function $nearestOption(key, names) {
 /** Whether a breed's or a model's name may be another one, misspelled. Names that differ in numbers alone are of different breeds. */
 export function $isProbablyMisspelt(name, other) {
 	if (name.length < 4 || name.replace(/\d+/g, "") === other.replace(/\d+/g, "")) return false;
-	const mostChanges = Math.max(name.length, other.length) < 6 ? 1 : 2;
+	// the first letter is seldom wrong
+	const mostChanges = Math.max(name.length, other.length) < 6 || name[0].toLowerCase() !== other[0].toLowerCase() ? 1 : 2;
 	return name.toLowerCase() === other.toLowerCase() || $changesBetween(name, other) <= mostChanges;
 }
 

@@ -20,7 +20,7 @@ package soak
                     "XML: small elements", "XML: siblings", "XML: deep", "XML: attributes", "XML: entities", "XML: laughs", "XML: comments",
                     "XML: broken at the end",
                     "COLLADA: zigzags in many meshes", "COLLADA: a polygon with many holes", "COLLADA: a long hole after others", "COLLADA: many lists of corners",
-                    "COLLADA: many primitives", "COLLADA: many meshes of one source", "COLLADA: an error among siblings",
+                    "COLLADA: many primitives", "COLLADA: many meshes of one source", "COLLADA: many libraries", "COLLADA: an error among siblings",
                     "COLLADA: transforms placed again", "COLLADA: instances placed again", "COLLADA: controllers",
                     "COLLADA: deep nodes", "COLLADA: long numbers", "COLLADA: counts"].concat(HostileGltf.names);
         }
@@ -114,6 +114,8 @@ package soak
                     return Collada.document(Collada.geometry("a", POINTS, times(TRIANGLE, size / TRIANGLE.length)));
                 case "COLLADA: many meshes of one source":
                     return meshesOfOneSource(size);
+                case "COLLADA: many libraries":
+                    return "<COLLADA>" + times('<library_geometries><geometry id="a"/></library_geometries>', size / 58) + "</COLLADA>";
                 case "COLLADA: an error among siblings":
                     return Collada.document(Collada.geometry("a", POINTS, times('<triangles count="0"/>', size / 22) +
                                 '<triangles count="1">' + Collada.INPUT + "<p>0 1 9</p></triangles>"));

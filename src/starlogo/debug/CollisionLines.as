@@ -92,8 +92,7 @@ package starlogo.debug
             var shape:ModelShape = choice.shapeOf(agent);
             var depth:int = shape.tree == null ? 0 : depthOf(shape.model, agent, collider.narrowPhase.treeLimits);
             var key:String = depth + " " + shape.variant + " " + shape.modelName;
-            _wireframes[key] ||= draw(shape, depth);
-            return _wireframes[key];
+            return _wireframes[key] ||= draw(shape, depth);
         }
 
         // Draws a structure, or a tree down to a depth, or with depth 0 the triangles that belong to the tree.

@@ -35,7 +35,7 @@ package starlogo.models.animation
             var last:Number = start;
             for each (var channel:AnimationChannel in channels)
             {
-                last = Math.max(last, channel.end);
+                last = Math.max(last, channel.sampler.end);
             }
             duration = (isNaN(end) ? last : end) - start;
         }

@@ -19,13 +19,13 @@ package starlogo.models.animation
         /**
          * Sets some numbers of a target.
          *
-         * @param inFile all numbers of the target, as they are in the file
+         * @param inFile all numbers of the target, as they are in the file; null if all are set
          * @param first the index of the first one that is set
-         * @param values the new numbers
+         * @param values the new numbers; kept if all are set
          */
         public function setNumbers(target:String, inFile:Vector.<Number>, first:int, values:Vector.<Number>):void
         {
-            var numbers:Vector.<Number> = _numbers[target] ||= inFile.slice();
+            var numbers:Vector.<Number> = _numbers[target] ||= inFile == null ? values : inFile.slice();
             for (var i:int = 0; i < values.length; i++)
             {
                 numbers[first + i] = values[i];

@@ -26,8 +26,7 @@ package starlogo.models.building
         // The label of each triangle, after it was first asked for.
         private var _labels:Vector.<int> = null;
 
-        // The labels of keys.
-        private var _known:Object = {};
+        private var _labelsOfKeys:Object = {};
 
         /** Labels without triangles. @param names the name of each label so far; kept; null if nothing will give names */
         public function TriangleLabels(names:Vector.<String>)
@@ -38,12 +37,8 @@ package starlogo.models.building
         /** The label of a key. A new key gets the next label. @param name the label's name; null for none */
         public function labelWithKey(key:String, name:String):int
         {
-            var known:String = keyOf(key);
-            if (_known[known] === undefined)
-            {
-                _known[known] = addLabel(name);
-            }
-            return _known[known];
+            var entry:String = keyOf(key);
+            return _labelsOfKeys[entry] = entry in _labelsOfKeys ? _labelsOfKeys[entry] : addLabel(name);
         }
 
         /** Adds the next label. @param name null for none */

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
+    import starlogo.models.animation.AnimationSampler;
     import starlogo.models.files.shortened;
     import starlogo.models.text.TextWords;
 
@@ -45,14 +46,14 @@ package starlogo.models.collada
             {
                 return null;
             }
-            var keys:AnimationChannel = samplerOf(channel.target("source", ["sampler"], channel.parent));
+            var sampler:AnimationSampler = samplerOf(channel.target("source", ["sampler"], channel.parent));
             var movesAll:Boolean = named == null && !parts[3];
             // an index may be larger than an int
             var index:Number = movesAll ? 0 : (named == null ? indexAt(element, parts[3], parts[4]) : indexNamed(element, named[2]));
             var width:int = movesAll ? size : 1;
             channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
-            channel.refuseIf(keys.componentCount != width, "its sampler has " + keys.componentCount + " numbers for each key, but expected " + width);
-            return keys.withTarget(String(element.index), element.numbers(size), index);
+            channel.refuseIf(sampler.componentCount != width, "its sampler has " + sampler.componentCount + " numbers for each key, but expected " + width);
+            return new AnimationChannel(sampler, String(element.index), element.numbers(size), index);
         }
 
         // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or
@@ -111,18 +112,18 @@ package starlogo.models.collada
         }
 
         // Reads the keys of a sampler.
-        private static function samplerOf(sampler:ColladaElement):AnimationChannel
+        private static function samplerOf(sampler:ColladaElement):AnimationSampler
         {
             var times:Vector.<Number> = listOf(sampler, "INPUT", ColladaAccessor.NUMBERS).toNumbers();
             var values:ColladaAccessor = listOf(sampler, "OUTPUT", ColladaAccessor.NUMBERS, times.length);
-            var interpolations:Array = [AnimationChannel.LINEAR];
+            var interpolations:Array = [AnimationSampler.LINEAR];
             if (sampler.child("input", "INTERPOLATION") != null)
             {
                 var list:ColladaAccessor = listOf(sampler, "INTERPOLATION", ColladaAccessor.NAMES, times.length);
                 sampler.refuseIf(list.stride != 1, "expected one interpolation for each key");
                 interpolations = list.words;
             }
-            var known:Array = [AnimationChannel.LINEAR, AnimationChannel.STEP, BEZIER];
+            var known:Array = [AnimationSampler.LINEAR, AnimationSampler.STEP, BEZIER];
             for each (var name:String in interpolations)
             {
                 if (known.indexOf(name) < 0)
@@ -134,7 +135,7 @@ package starlogo.models.collada
             var outControls:ColladaAccessor = hasCurves ? controlPoints(sampler, "OUT_TANGENT", values) : null;
             var inControls:ColladaAccessor = hasCurves ? controlPoints(sampler, "IN_TANGENT", values) : null;
             sampler.refuseIf(hasCurves && inControls.stride != outControls.stride, "its tangents are of different kinds");
-            return new AnimationChannel(sampler.budget.modelName, sampler, times, values.toNumbers(), interpolations, hasCurves ? outControls.toNumbers() : null,
+            return new AnimationSampler(sampler.budget.modelName, sampler, times, values.toNumbers(), interpolations, hasCurves ? outControls.toNumbers() : null,
                     hasCurves ? inControls.toNumbers() : null);
         }
 

@@ -71,7 +71,10 @@ package starlogo.models.collada
             var entries:Vector.<ColladaElement> = new Vector.<ColladaElement>();
             for each (var library:ColladaElement in root.childrenNamed(libraryName))
             {
-                entries = entries.concat(library.childrenNamed(name));
+                for each (var entry:ColladaElement in library.childrenNamed(name))
+                {
+                    entries.push(entry);
+                }
             }
             return entries;
         }

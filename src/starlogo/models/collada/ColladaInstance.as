@@ -77,7 +77,7 @@ package starlogo.models.collada
                 });
         }
 
-        /** @inheritDoc */
+        /** @inheritDoc At rest, a step that fails is the last one: the points are then where they were bound. */
         override public function step():Boolean
         {
             try
@@ -90,10 +90,10 @@ package starlogo.models.collada
                 {
                     throw error;
                 }
+                _points = null;
+                _transform = _bindTransform;
+                _isFirstJointMirror = false;
             }
-            _points = null;
-            _transform = _bindTransform;
-            _isFirstJointMirror = false;
             return false;
         }
 

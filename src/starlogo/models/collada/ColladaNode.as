@@ -23,20 +23,20 @@ package starlogo.models.collada
         // The index of the child element that is visited next.
         private var _nextChild:int = 0;
 
-        // Nodes are numbered in the order of the visit. The descendants of this one have the numbers after its own, up to _subtreeEnd.
-        private var _number:int;
+        // Nodes have indices in the order of the visit. The descendants of this one have those after its own, up to _subtreeEnd.
+        private var _index:int;
         private var _subtreeEnd:int;
 
         /**
          * @param element the node's element
          * @param parent the node around it; null for the scene
-         * @param number how many nodes were visited before this one
+         * @param index how many nodes were visited before this one
          */
-        public function ColladaNode(element:ColladaElement, parent:ColladaNode, number:int)
+        public function ColladaNode(element:ColladaElement, parent:ColladaNode, index:int)
         {
             _element = element;
             this.parent = parent;
-            _number = number;
+            _index = index;
             depth = parent == null ? 0 : parent.depth + 1;
             transform = parent == null ? new AffineTransform() : parent.transform;
         }
@@ -61,23 +61,23 @@ package starlogo.models.collada
 
         /**
          * Of the nodes of an element, the one that has the lowest ancestor in common with this node; the first of several. So each of several
-         * figures has joints of its own. Returns its number.
+         * figures has joints of its own. Returns its index.
          *
-         * @param numbers the numbers of the element's nodes, at least one, in ascending order
+         * @param indices the indices of the element's nodes, at least one, in ascending order
          */
-        public function withLowestCommonAncestor(numbers:Vector.<Number>):int
+        public function withLowestCommonAncestor(indices:Vector.<Number>):int
         {
-            for (var ancestor:ColladaNode = this; numbers.length > 1 && ancestor != null; ancestor = ancestor.parent)
+            for (var ancestor:ColladaNode = this; indices.length > 1 && ancestor != null; ancestor = ancestor.parent)
             {
                 // the first node that is not before the ancestor
-                var next:int = lastAtMost(numbers, ancestor._number - 1);
-                next += numbers[next] < ancestor._number ? 1 : 0;
-                if (next < numbers.length && numbers[next] < ancestor._subtreeEnd)
+                var next:int = lastAtMost(indices, ancestor._index - 1);
+                next += indices[next] < ancestor._index ? 1 : 0;
+                if (next < indices.length && indices[next] < ancestor._subtreeEnd)
                 {
-                    return numbers[next];
+                    return indices[next];
                 }
             }
-            return numbers[0];
+            return indices[0];
         }
 
         /** Whether this node, or one around it, is of an element. */

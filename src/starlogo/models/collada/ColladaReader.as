@@ -43,10 +43,10 @@ package starlogo.models.collada
         private var _pose:Pose;
         private var _instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>(); // in the document's order
 
-        // The nodes so far, by their numbers, and lists of the numbers of an element's nodes, by the element's index. Then the node around the next
-        // element; null at the end.
+        // The nodes so far, and lists of the indices of an element's nodes, by the element's index. Then the node around the next element; null at the
+        // end.
         private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
-        private var _numbers:Object = {};
+        private var _nodeIndices:Object = {};
         private var _node:ColladaNode = null;
 
         /**
@@ -99,9 +99,9 @@ package starlogo.models.collada
          */
         public function jointTransform(joint:ColladaElement, skinNode:ColladaNode, skin:ColladaElement):AffineTransform
         {
-            var numbers:Vector.<Number> = _numbers[joint.index];
-            skin.refuseIf(numbers == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
-            return _nodes[skinNode.withLowestCommonAncestor(numbers)].transform;
+            var indices:Vector.<Number> = _nodeIndices[joint.index];
+            skin.refuseIf(indices == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
+            return _nodes[skinNode.withLowestCommonAncestor(indices)].transform;
         }
 
         private function enterScene():void
@@ -140,7 +140,7 @@ package starlogo.models.collada
         // The children of an element are visited next.
         private function enter(element:ColladaElement):void
         {
-            (_numbers[element.index] ||= new Vector.<Number>()).push(_nodes.length);
+            (_nodeIndices[element.index] ||= new Vector.<Number>()).push(_nodes.length);
             _node = new ColladaNode(element, _node, _nodes.length);
             _nodes.push(_node);
             element.refuseIf(_node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");

@@ -124,21 +124,21 @@ package starlogo.models.collada
         }
 
         // The steps that read how many influences each point has.
-        private function readingCounts(element:ColladaElement, influenceCount:int):Steps
+        private function readingCounts(weighted:ColladaElement, influenceCount:int):Steps
         {
-            var counts:Array = TextWords.of(element.requiredChild("vcount").countedText());
+            var counts:Array = TextWords.of(weighted.requiredChild("vcount").countedText());
             var sum:Number = 0;
-            element.checkCount(counts.length, "numbers in <vcount>");
+            weighted.checkCount(counts.length, "numbers in <vcount>");
             return new StepSequence().slices(counts.length, INFLUENCES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        sum += element.toInteger(counts[i], 0, influenceCount, "the number of a point's joints");
+                        sum += weighted.toInteger(counts[i], 0, influenceCount, "the number of a point's joints");
                         _influences.offsets.push(sum);
                     }
                 }).call(function():void
                 {
-                    element.refuseIf(sum != influenceCount, "its <vcount> adds up to " + sum + " joints, but <v> has " + influenceCount);
+                    weighted.refuseIf(sum != influenceCount, "its <vcount> adds up to " + sum + " joints, but <v> has " + influenceCount);
                 });
         }
 

@@ -7,9 +7,9 @@ package starlogo.models.cooked
     import starlogo.steps.StepSequence;
 
     /**
-     * A file with results that were computed earlier: when a game was built (docs/cooked.md), or by a FitStore. It has five sections. Each section was
-     * computed for certain settings. Their fingerprint is the section's key. A fingerprint at the end seals the file. It is read in steps. A
-     * file has no sections if it is no cooked file, is cut off or has changed. The code that uses a section checks its content.
+     * A file with results that were computed earlier: when a game was built (docs/cooked.md), or by a FitStore. It has five sections. A section's
+     * key is the fingerprint of what the section depends on. A fingerprint at the end seals the file. It is read in steps. A file has no sections
+     * if it is no cooked file, is cut off or has changed. The code that uses a section checks its content.
      *
      * <pre>
      * at 0   "COOK"
@@ -26,21 +26,21 @@ package starlogo.models.cooked
     public final class CookedFile extends StepSequence
     {
         /**
-         * The section with the model. Its key is <code>keyOfLoad()</code>, or in a FitStore, where this section is empty, the fingerprint of the
-         * model's geometry.
+         * The section with the model. It depends on the arguments of its load: see <code>keyOfLoad()</code>. A FitStore leaves it empty, and its key is
+         * the fingerprint of the model's geometry, on which all other sections depend.
          */
         public static const MODEL:int = 0;
 
-        /** The section with the bounding structures. Its settings are the fitters. */
+        /** The section with the bounding structures. It depends on the fitters. */
         public static const STRUCTURES:int = 1;
 
-        /** The section with the hierarchy. Its settings are the hierarchy's settings. */
+        /** The section with the hierarchy. It depends on the hierarchy's settings. */
         public static const HIERARCHY:int = 2;
 
-        /** The section with the surface. Its settings are the hierarchy's settings. */
+        /** The section with the surface. It depends on the hierarchy's settings. */
         public static const SURFACE:int = 3;
 
-        /** The section with the hull. Its settings are the hull's fitter and the fitters. */
+        /** The section with the hull. It depends on the fitters, and on the hull's fitter. */
         public static const HULL:int = 4;
 
         /** The number of sections. */
@@ -74,11 +74,13 @@ package starlogo.models.cooked
             _bytes.writeBytes(bytes);
             _bytes.position = VERSION_AT;
             isOfOtherVersion = _bytes.readInt() != VERSION;
-            if (!isOfOtherVersion && hasRightLength(_bytes))
+            var length:int = _bytes.readInt(); // at LENGTH_AT
+            var isRightLength:Boolean = length == _bytes.length && length % Fingerprint.LENGTH == 0 && length <= FileBudget.MAX_BYTES;
+            if (!isOfOtherVersion && isRightLength && length >= HEAD_LENGTH + Fingerprint.LENGTH)
             {
                 _bytes.position = 0;
                 var whole:Fingerprint = new Fingerprint();
-                slices(_bytes.length / Fingerprint.LENGTH - 1, GROUPS_PER_STEP, function(first:int, end:int):void
+                slices(length / Fingerprint.LENGTH - 1, GROUPS_PER_STEP, function(first:int, end:int):void
                     {
                         whole.addGroups(_bytes, end - first);
                     }).call(function():void
@@ -210,14 +212,6 @@ package starlogo.models.cooked
                 rest = length < 0 ? NaN : rest - length;
             }
             _isComplete = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
-        }
-
-        // Whether a file has the length that it says.
-        private static function hasRightLength(bytes:ByteArray):Boolean
-        {
-            var length:int = bytes.length;
-            bytes.position = LENGTH_AT;
-            return length % Fingerprint.LENGTH == 0 && length <= FileBudget.MAX_BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
         }
     }
 }

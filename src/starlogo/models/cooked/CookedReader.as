@@ -132,8 +132,8 @@ package starlogo.models.cooked
             var labels:TriangleLabels = index == 0 ? _data.materials : _data.meshes;
             var nameCount:int = VarInt.read(_bytes);
             var mostLabel:int = nameCount < 0 ? int.MAX_VALUE : nameCount - 1;
-            var start:Number = 0;
-            labels.names = nameCount < 0 ? null : labels.names;
+            var triangle:Number = 0;
+            labels.names = nameCount < 0 ? null : new Vector.<String>();
             return new StepSequence().slices(Math.max(0, nameCount), LABELS_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
@@ -147,8 +147,8 @@ package starlogo.models.cooked
                         {
                             for (var i:int = first; i < end; i++)
                             {
-                                start = Math.min(start + readInteger(0, int.MAX_VALUE), _data.triangles.length / 3);
-                                labels.beginRun(readInteger(-1, mostLabel), start);
+                                triangle = Math.min(triangle + readInteger(0, int.MAX_VALUE), _data.triangles.length / 3);
+                                labels.beginRun(readInteger(-1, mostLabel), triangle);
                             }
                         });
                 });

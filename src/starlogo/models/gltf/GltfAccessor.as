@@ -27,7 +27,7 @@ package starlogo.models.gltf
         /** The number of elements. Each has one or more numbers. */
         public var count:int;
 
-        /** Where the JSON says where its numbers are. */
+        /** Its JSON: an accessor, or a part of a sparse one. */
         public var json:GltfJson;
 
         private var _componentCount:int;
@@ -38,7 +38,7 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; all its steps must be done
-         * @param json says where its numbers are: an accessor, or a part of a sparse one
+         * @param json an accessor, or the indices or values of a sparse one
          * @param count the number of elements
          * @param componentCount the numbers of each element
          * @param componentType the kind of its numbers: BYTE or another
@@ -143,25 +143,25 @@ package starlogo.models.gltf
         // Adds the steps that replace some elements.
         private function addSparse(file:GltfFile, sparse:GltfJson):void
         {
-            var some:int = sparse.requiredInteger("count", count);
-            var indices:GltfJson = sparse.object("indices");
-            var values:GltfJson = sparse.object("values");
-            sparse.refuseIf(indices == null || values == null, "expected indices and values");
-            sparse.refuseIf(!indices.has("bufferView") || !values.has("bufferView"), "expected indices and values in bufferViews");
-            var at:GltfAccessor = new GltfAccessor(file, indices, some, 1, indices.requiredInteger("componentType", int.MAX_VALUE), false);
-            var by:GltfAccessor = new GltfAccessor(file, values, some, _componentCount, _componentType, _divisor > 0);
-            add(at).add(by).slices(some, NUMBERS_PER_STEP / _componentCount, function(first:int, end:int):void
+            var replacedCount:int = sparse.requiredInteger("count", count);
+            var indicesJson:GltfJson = sparse.object("indices");
+            var valuesJson:GltfJson = sparse.object("values");
+            sparse.refuseIf(indicesJson == null || valuesJson == null, "expected indices and values");
+            sparse.refuseIf(!indicesJson.has("bufferView") || !valuesJson.has("bufferView"), "expected indices and values in bufferViews");
+            var indices:GltfAccessor = new GltfAccessor(file, indicesJson, replacedCount, 1, indicesJson.requiredInteger("componentType", int.MAX_VALUE), false);
+            var values:GltfAccessor = new GltfAccessor(file, valuesJson, replacedCount, _componentCount, _componentType, _divisor > 0);
+            add(indices).add(values).slices(replacedCount, NUMBERS_PER_STEP / _componentCount, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        var index:Number = at.numbers[i];
+                        var index:Number = indices.numbers[i];
                         if (!(index >= 0 && index < count && int(index) == index))
                         {
-                            throw indices.error("element " + i + " is " + index + ", but there are only " + count + " to replace");
+                            throw indicesJson.error("element " + i + " is " + index + ", but there are only " + count + " to replace");
                         }
                         for (var k:int = 0; k < _componentCount; k++)
                         {
-                            numbers[int(index) * _componentCount + k] = by.numbers[i * _componentCount + k];
+                            numbers[int(index) * _componentCount + k] = values.numbers[i * _componentCount + k];
                         }
                     }
                 });

@@ -1,6 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.animation.AnimationChannel;
+    import starlogo.models.animation.AnimationSampler;
     import starlogo.models.animation.FileAnimation;
     import starlogo.models.animation.Pose;
     import starlogo.models.building.FormatReader;
@@ -54,37 +55,36 @@ package starlogo.models.gltf
                 {
                     target.refuseIf(file.json.rootEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                     var sampler:int = channel.requiredInteger("sampler", animation.count("samplers") - 1);
-                    var keys:AnimationChannel = samplerOf(file, animation.element("samplers", sampler), path);
-                    channels.push(keys.withTarget(GltfScene.targetOf(node, path), new Vector.<Number>(keys.componentCount)));
+                    channels.push(new AnimationChannel(samplerOf(file, animation.element("samplers", sampler), path), GltfScene.targetOf(node, path)));
                 }
             }
             return channels;
         }
 
         // Reads the keys of a sampler. @param path the property that they move
-        private static function samplerOf(file:GltfFile, sampler:GltfJson, path:String):AnimationChannel
+        private static function samplerOf(file:GltfFile, sampler:GltfJson, path:String):AnimationSampler
         {
             var input:int = sampler.indexOrNone("input", "accessors");
             var output:int = sampler.indexOrNone("output", "accessors");
             sampler.refuseIf(input < 0 || output < 0, "expected input and output");
-            var interpolation:String = sampler.has("interpolation") ? sampler.textOrNull("interpolation") : AnimationChannel.LINEAR;
-            sampler.refuseIf([AnimationChannel.LINEAR, AnimationChannel.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
+            var interpolation:String = sampler.has("interpolation") ? sampler.textOrNull("interpolation") : AnimationSampler.LINEAR;
+            sampler.refuseIf([AnimationSampler.LINEAR, AnimationSampler.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
             var times:GltfAccessor = file.accessor(input, "SCALAR");
             var values:GltfAccessor = file.accessor(output, TYPES[path]);
             var wanted:Number = Number(times.count) * (interpolation == CUBIC ? 3 : 1);
             values.json.refuseIf(times.count == 0 || values.count < wanted || values.count % wanted != 0 || path != "weights" && values.count != wanted,
                     "it has " + values.count + " elements for " + times.count + " keys");
-            file.budget.spendNumbers(times.count, sampler.place);
+            // other channels may have the same accessors
+            file.budget.spendNumbers(times.count + values.numbers.length, sampler.place);
             finish(times);
             finish(values);
-            var isRotation:Boolean = path == "rotation";
-            return interpolation == CUBIC ? splines(sampler, times.numbers, values.numbers, isRotation)
-                : new AnimationChannel(sampler.modelName, sampler.place, times.numbers, values.numbers, [interpolation], null, null, isRotation);
+            return interpolation == CUBIC ? splines(sampler, times.numbers, values.numbers, path == "rotation")
+                : new AnimationSampler(sampler.modelName, sampler.place, times.numbers, values.numbers, [interpolation], null, null, path == "rotation");
         }
 
         // The keys of Hermite splines: for each key the tangents before it, the values, and the tangents after it (glTF specification, appendix
         // C). A control point of the same curve is a third of the tangent away from its key.
-        private static function splines(sampler:GltfJson, times:Vector.<Number>, numbers:Vector.<Number>, areRotations:Boolean):AnimationChannel
+        private static function splines(sampler:GltfJson, times:Vector.<Number>, numbers:Vector.<Number>, areRotations:Boolean):AnimationSampler
         {
             var width:int = numbers.length / times.length / 3;
             var values:Vector.<Number> = new Vector.<Number>();
@@ -100,7 +100,7 @@ package starlogo.models.gltf
                     inControls.push(key == 0 ? value : value - numbers[i] * (times[key] - times[key - 1]) / 3);
                 }
             }
-            return new AnimationChannel(sampler.modelName, sampler.place, times, values, [CUBIC], outControls, inControls, areRotations);
+            return new AnimationSampler(sampler.modelName, sampler.place, times, values, [CUBIC], outControls, inControls, areRotations);
         }
     }
 }

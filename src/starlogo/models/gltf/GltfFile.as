@@ -51,9 +51,8 @@ package starlogo.models.gltf
         // the addresses of the other files
         private var _uris:Vector.<String> = new Vector.<String>();
 
-        // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
+        // The bytes of each buffer; null if it is missing. The binary chunk of a .glb file is in the first one's place from the beginning on.
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
-        private var _chunk:ByteArray = null;
 
         // the accessors so far, by index, and the weights of skins, by the place of a primitive's attributes and the skin's index
         private var _accessors:Array = [];
@@ -181,12 +180,12 @@ package starlogo.models.gltf
                     bytes.position = start;
                     text = ModelFile.withoutByteOrderMark(bytes.readUTFBytes(chunkLength));
                 }
-                else if (type == BINARY_CHUNK && _chunk == null)
+                else if (type == BINARY_CHUNK && _buffers.length == 0)
                 {
-                    _chunk = new ByteArray();
+                    _buffers.push(new ByteArray());
                     if (chunkLength > 0)
                     {
-                        _chunk.writeBytes(bytes, start, chunkLength);
+                        _buffers[0].writeBytes(bytes, start, chunkLength);
                     }
                 }
             }
@@ -229,7 +228,7 @@ package starlogo.models.gltf
             }
             return new StepSequence().call(function():void
                 {
-                    for (var index:int = 0; index < _buffers.length; index++)
+                    for (var index:int = 0; index < json.count("buffers"); index++)
                     {
                         var file:int = _uris.indexOf(json.rootEntry("buffers", index).raw.uri);
                         if (file >= 0)
@@ -250,17 +249,18 @@ package starlogo.models.gltf
         {
             var work:StepSequence = new StepSequence();
             var buffer:GltfJson = json.rootEntry("buffers", index);
-            _buffers.push(null);
+            var chunk:ByteArray = index < _buffers.length ? _buffers[index] : null;
+            _buffers[index] = null;
             // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
             buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
             var uri:* = buffer.raw.uri;
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
             {
-                if (index == 0 && _chunk != null)
+                if (chunk != null)
                 {
-                    budget.addBytes(_chunk.length);
-                    keep(0, _chunk);
+                    budget.addBytes(chunk.length);
+                    keep(index, chunk);
                 }
             }
             else if (DATA.test(uri))

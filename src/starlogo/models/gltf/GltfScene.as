@@ -80,18 +80,15 @@ package starlogo.models.gltf
         /** What each joint of a skin does to points. It is the same for all that use the skin. Its matrices must be read. */
         public function jointMatricesOf(skin:int):Vector.<AffineTransform>
         {
-            return _jointMatrices[skin] ||= newJointMatrices(_file.json.rootEntry("skins", skin), inverseBindMatricesOf(skin));
-        }
-
-        private function newJointMatrices(skin:GltfJson, matrices:GltfAccessor):Vector.<AffineTransform>
-        {
-            var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
-            for (var i:int = 0; i < skin.count("joints"); i++)
+            var json:GltfJson = _file.json.rootEntry("skins", skin);
+            var matrices:GltfAccessor = inverseBindMatricesOf(skin);
+            var known:Vector.<AffineTransform> = _jointMatrices[skin] ||= new Vector.<AffineTransform>();
+            for (var i:int = known.length; i < json.count("joints"); i++)
             {
-                var transform:AffineTransform = globalTransformOf(skin.indexIn("joints", i, "nodes"));
-                jointMatrices.push(matrices == null ? transform : transform.after(ofColumns(matrices.numbers, 16 * i)));
+                var transform:AffineTransform = globalTransformOf(json.indexIn("joints", i, "nodes"));
+                known.push(matrices == null ? transform : transform.after(ofColumns(matrices.numbers, 16 * i)));
             }
-            return jointMatrices;
+            return known;
         }
 
         /** The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh. */

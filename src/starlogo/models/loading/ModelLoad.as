@@ -51,10 +51,11 @@ package starlogo.models.loading
         private var _receiver:ModelReceiver;
         private var _newURLLoader:Function;
 
-        // The file's address; null if there is none to fetch. Whether the transform file beside it is fetched too. The list of cooked files; null if
-        // there is none for it.
+        // the addresses of the file and of its transform file; null if there is none to fetch
         private var _url:String = null;
-        private var _usesTransforms:Boolean = false;
+        private var _transformUrl:String = null;
+
+        // the list of cooked files; null if there is none for the file
         private var _manifest:CookedManifest = null;
 
         // the progress that a cooked file has made that gave no model; 0 if there was none
@@ -110,12 +111,11 @@ package starlogo.models.loading
          */
         public function fetch(url:String, usesTransforms:Boolean, manifest:CookedManifest):void
         {
-            _url = url || "";
-            _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
             try
             {
                 ModelData.requireUpAxis(name, _upAxis);
                 ModelData.requireScaling(name, _scaling);
+                refuseModelIf(!url, name, "there is no address to fetch its file from");
             }
             catch (problem:ModelError)
             {
@@ -127,7 +127,9 @@ package starlogo.models.loading
                     });
                 return;
             }
-            if (manifest == null || !FileUrl.hasFolder(_url))
+            _url = url;
+            _transformUrl = usesTransforms && !(_upAxis is ModelTransform) && FileUrl.hasFolder(url) ? FileUrl.siblingOf(url, ".slb") : null;
+            if (manifest == null || !FileUrl.hasFolder(url))
             {
                 fetchFile();
                 return;
@@ -179,7 +181,7 @@ package starlogo.models.loading
             var file:FileDownload = startDownload(address);
             call(function():void
                 {
-                    _maker = ModelBuilder.reading(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms)));
+                    _maker = ModelBuilder.reading(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _transformUrl != null)));
                 }).repeat(readCooked);
         }
 
@@ -206,9 +208,8 @@ package starlogo.models.loading
         private function fetchFile():void
         {
             _downloads.length = 0;
-            var file:FileDownload = _url == "" ? null : startDownload(_url);
-            var address:String = _usesTransforms && FileUrl.hasFolder(_url) ? FileUrl.siblingOf(_url, ".slb") : null;
-            var transformFile:FileDownload = address == null ? null : startDownload(address);
+            var file:FileDownload = startDownload(_url);
+            var transformFile:FileDownload = _transformUrl == null ? null : startDownload(_transformUrl);
             call(function():void
                 {
                     readFetched(file, transformFile);
@@ -225,7 +226,6 @@ package starlogo.models.loading
 
         private function readFetched(file:FileDownload, transformFile:FileDownload):void
         {
-            refuseModelIf(file == null, name, "there is no address to fetch its file from");
             refuseModelIf(file.problem != null, name, file.problem);
             // without a transform file, or with one that says nothing, the caller's axis stays
             var bytes:ByteArray = transformFile == null ? null : transformFile.bytes;

@@ -4,6 +4,7 @@ package starlogo.models.files
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.models.ColladaModel;
+    import starlogo.models.GltfAnimations;
     import starlogo.models.GltfModel;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
@@ -127,6 +128,25 @@ package starlogo.models.files
             Failures.assertFails("buffers[0]", "it should have 1000 bytes", GltfModel.fromBytes, "a", bytes);
         }
 
+        /** The numbers of a key are not declared by its time: morph targets may be many. */
+        [Test(timeout="600000")]
+        public function keysCountForEachChannel():void
+        {
+            var file:Gltf = Gltf.tetrahedron();
+            var input:int = file.addNumbers([0], "SCALAR", Gltf.FLOAT);
+            file.json.accessors.push({componentType: Gltf.FLOAT, type: "SCALAR", count: 60000});
+            for each (var interpolation:String in ["LINEAR", "CUBICSPLINE"])
+            {
+                var animation:Object = {channels: [], samplers: [ {input: input, output: input + 1, interpolation: interpolation}]};
+                for (var i:int = 0; i < 100; i++)
+                {
+                    animation.channels.push({sampler: 0, target: {node: 0, path: "weights"}});
+                }
+                file.json.animations = [animation];
+                Failures.assertFails("animations[0].samplers[0]", "numbers, each counted as often as it is used", readingAnimations, file.toBinary());
+            }
+        }
+
         [Test(timeout="600000")]
         public function aTransformIsReadOnce():void
         {
@@ -222,6 +242,11 @@ package starlogo.models.files
         private static function refusesNumbers(bytes:ByteArray):void
         {
             refuses("numbers, each counted as often as it is used", GltfModel.fromBytes, "a", bytes);
+        }
+
+        private static function readingAnimations(bytes:ByteArray):void
+        {
+            new GltfAnimations("a", bytes);
         }
 
         private static function refuses(words:String, call:Function, ...args):void

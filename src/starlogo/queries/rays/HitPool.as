@@ -37,12 +37,7 @@ package starlogo.queries.rays
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    var spare:Object = _free.pop();
-                    if (spare == null)
-                    {
-                        spare = new _type();
-                    }
-                    hits[i] = spare;
+                    hits[i] = _free.pop() || new _type();
                 }
             }
         }

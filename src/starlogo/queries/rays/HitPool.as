@@ -37,7 +37,8 @@ package starlogo.queries.rays
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    hits[i] = _free.pop() || new _type();
+                    var spare:Object = _free.length > 0 ? _free.pop() : new _type();
+                    hits[i] = spare;
                 }
             }
         }

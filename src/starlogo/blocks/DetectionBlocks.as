@@ -23,7 +23,8 @@ package starlogo.blocks
         private var _collisions:CollisionBlocks;
         private var _queries:AgentQueries;
         private var _ahead:ShapeHit = new ShapeHit();
-        // the breeds that blocks have named
+
+        // The breeds that blocks have named.
         private var _named:Vector.<String> = new Vector.<String>();
 
         /**
@@ -148,6 +149,7 @@ package starlogo.blocks
                 var bounds:WorldBounds = _collisions.collision.bounds;
                 return bounds != null && queries.touchesEdge(agent, bounds);
             }
+            warnOfBreed(subject as String);
             return queries.touchesAny(agent, filterFor(subject as String));
         }
 

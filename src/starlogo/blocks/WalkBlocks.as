@@ -210,7 +210,7 @@ package starlogo.blocks
             return _detection.queries.moves.findFooting(agent, optionsOf(0), _footing).on;
         }
 
-        // How an agent walks that falls so far meanwhile.
+        // The options of a walk in which the agent falls at most so far.
         private function optionsOf(fall:Number):WalkOptions
         {
             var options:WalkOptions = new WalkOptions();

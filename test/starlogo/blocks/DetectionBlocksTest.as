@@ -57,9 +57,11 @@ package starlogo.blocks
         public function breedsThatAreProbablyMisspelledAreTold():void
         {
             assertEquals(0, _blocks.countWithin(_turtle, "wovles", 5));
+            assertFalse(_blocks.isTouching(_turtle, "wolvesz"));
             new WalkBlocks(_blocks).setSolid("turltes", true);
             new TraitBlocks(_agents).setHierarchical("wolvse", true);
             assertFalse(warn("no agent is of the breed \"wovles\"; is \"wolves\" meant?"));
+            assertFalse(warn("no agent is of the breed \"wolvesz\"; is \"wolves\" meant?"));
             assertFalse(warn("no agent is of the breed \"turltes\"; is \"turtles\" meant?"));
             assertFalse(warn("no agent is of the breed \"wolvse\"; is \"wolves\" meant?"));
         }

@@ -98,6 +98,38 @@ package starlogo.queries
                 assertEquals(name, 1, queries.moveUntilTouch(card, 0, 0, 0.5));
                 card.moveTo(0, 0, 0);
                 assertEquals(name, 0, queries.moveUntilTouch(card, 0, 0, -0.5));
+                table.isOneWay = true;
+                queries.update(new <Agent>[table, card]);
+                assertEquals(name + ", one way", 0, queries.moveUntilTouch(card, 0, 0, -0.5));
+                table.isOneWay = false;
+            }
+        }
+
+        // A sheet on the table leaves two ways out, and one of them leads into the table.
+        [Test]
+        public function aCardInThePlaneOfASheetAndATableMoves():void
+        {
+            var land:GreatLand = landOf(BuiltInModel.box(3, 3, 1, "table"), new ObjModel("card", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4"));
+            var table:Agent = new Agent("table");
+            table.hierarchical = true;
+            table.moveTo(0, 0, -1);
+            var sheet:Agent = new Agent("card");
+            sheet.size = 2;
+            sheet.moveTo(0.3, 0.1, 0);
+            for each (var name:String in ["triangles", "combinations, exact"])
+            {
+                for (var turned:int = 0; turned < 4; turned++)
+                {
+                    sheet.heading = turned < 2 ? 0 : 30;
+                    sheet.roll = 180 * (turned % 2);
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, land));
+                    var card:Agent = new Agent("card");
+                    queries.update(new <Agent>[sheet, table, card]);
+                    assertEquals(name + " " + turned, 1, queries.slide(card, 0.25, 0, 0));
+                    assertTrue(name + " " + turned, card.z > 0);
+                    card.moveTo(0, 0, 0);
+                    assertTrue(name + " " + turned, queries.walk(card, 0.25, 0).stands);
+                }
             }
         }
 

@@ -52,8 +52,8 @@ package starlogo.queries.motion
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
          *
-         * @param sweep the motion. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. Its start
-         *     changes if the body is pushed
+         * @param sweep the motion. It receives the planes of overlaps that stay. A row with a plane leaves its obstacles. Its start changes if the body is
+         *     pushed
          */
         public function depenetrate(sweep:ShrunkSweep):void
         {
@@ -69,8 +69,8 @@ package starlogo.queries.motion
         }
 
         /**
-         * Leads a body that stands a clearance off those of its rows that it touches, if there is room. A flat body is led also off those that it is
-         * close to. Rows that it overlaps deeply do not count, nor one-way rows that it passes.
+         * Leads a body that stands a clearance off its rows that it touches, if there is room, and a flat body also off rows that it is close to. Rows
+         * that it overlaps deeply do not count, nor one-way rows that it passes.
          *
          * @param place the place of the body, which changes
          */
@@ -153,7 +153,9 @@ package starlogo.queries.motion
                     {
                         continue;
                     }
-                    if (length == Infinity || round == MAX_ROUNDS || leadsBack(_contact, last))
+                    // a flat body may be led back once: of the two ways out of a sheet, one may lead into the next row
+                    var isBetween:Boolean = leadsBack(_contact, last) && !(shrunk.isFlat && round == 0);
+                    if (length == Infinity || round == MAX_ROUNDS || isBetween)
                     {
                         place.setTo(x, y, z);
                         pushes.clear();
@@ -254,9 +256,11 @@ package starlogo.queries.motion
             // the contact of a flat body with a part that is as flat may point to either side
             var isSeparating:Boolean = shrunk.isFlat || round >= FIRST_SEPARATING_ROUND;
             shrunk.body.findContact(row, place, isSeparating, _contact);
-            if (!isSeparating && leadsBack(_contact, last))
+            // exactly in the planes of a row, the way out of all its parts may be long
+            var isUseless:Boolean = isSeparating ? !shrunk.body.isShallow(row, _contact) : leadsBack(_contact, last);
+            if (isUseless && round < FIRST_SEPARATING_ROUND)
             {
-                shrunk.body.findContact(row, place, true, _contact);
+                shrunk.body.findContact(row, place, !isSeparating, _contact);
             }
         }
 

@@ -13,7 +13,7 @@ package starlogo.queries.motion
         /** The row that is met; -1 if none is. */
         public var row:int = -1;
 
-        /** When the shrunk body meets it, as a fraction of the motion. Without a row it means nothing, as all below. */
+        /** When the shrunk body meets it, as a fraction of the motion. Without a row, this and all below mean nothing. */
         public var time:Number = Infinity;
 
         /**

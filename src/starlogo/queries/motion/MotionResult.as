@@ -13,13 +13,13 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
-        /** The length of its way, as a fraction of the length of the motion, from 0 to 1. That of a straight motion goes up to the touch: it is its time. */
+        /** The length of its way, as a fraction of the length of the motion, from 0 to 1. A straight motion counts up to the touch. */
         public var fraction:Number = 1;
 
         /** The row of the last wall that a slide met, a surface that was too steep for it; -1 if it met none. */
         public var wallRow:int = -1;
 
-        /** The contact that it has met. Of those of a slide it is the most level one: with the greatest z of its normal. */
+        /** The contact that it has met. A slide keeps the most level one: the one whose normal has the greatest z. */
         public var contact:ContactPoint = new ContactPoint();
 
         /** The row of that contact; -1 if it has met nothing, or a slide only what showed no contact (Impact.isNormalFallback). */
@@ -28,7 +28,7 @@ package starlogo.queries.motion
         /** TouchSweep alone: the place of the body where the shrunk body touches the row. */
         public var shrunkPlace:Vector3D = new Vector3D();
 
-        /** Whether the body starts in an overlap for which a plane stands: a deep one, or one without a way out. Of TouchSweep's only if that stops it. */
+        /** Whether the body starts in an overlap for which a plane stands: a deep one, or one without a way out. In TouchSweep that overlap stops it. */
         public var startsPenetrating:Boolean = false;
 
         /** Whether it has a contact. */

@@ -3,7 +3,7 @@
 // Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (Depenetration), a walk with pushes out of
 // deep ones too.
 // Plane: it stands for a row that the body overlaps deeply or without a way out, or has met on a slide. The motion must not cross it.
-// Obstacles: the rows that can stop a motion. Rows with a plane for an overlap are none, nor one-way rows that the body passes.
+// Obstacles: the rows that can stop a motion. A row with a plane for an overlap is no obstacle, and neither is a one-way row that the body passes.
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
@@ -280,7 +280,7 @@ package starlogo.queries.motion
          * Finds a contact of the full body with a row that it touches when it stands at a place.
          *
          * @param isSeparating whether the contact must separate the two. The ground can be floor and wall at once, and a contact with one does not lead away
-         *     from the other. Otherwise a shallow contact may be that of two of their parts
+         *     from the other. Otherwise a shallow contact may separate only two of their parts
          */
         public function findContact(row:int, place:Vector3D, isSeparating:Boolean, out:ContactPoint):void
         {

@@ -89,18 +89,17 @@ package starlogo.queries.motion
             var offsetX:Number = link.walkerPlace.x - from.x;
             var offsetY:Number = link.walkerPlace.y - from.y;
             var offsetZ:Number = link.walkerPlace.z - from.z;
-            motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
             if (from.size == now.size && turned.hasRotationOf(now))
             {
+                motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
                 return 0;
             }
-            var scale:Number = now.size / from.size;
-            var alongX:Number = scale * (turned.r00 * offsetX + turned.r10 * offsetY + turned.r20 * offsetZ);
-            var alongY:Number = scale * (turned.r01 * offsetX + turned.r11 * offsetY + turned.r21 * offsetZ);
-            var alongZ:Number = scale * (turned.r02 * offsetX + turned.r12 * offsetY + turned.r22 * offsetZ);
-            motion.x += now.r00 * alongX + now.r01 * alongY + now.r02 * alongZ - offsetX;
-            motion.y += now.r10 * alongX + now.r11 * alongY + now.r12 * alongZ - offsetY;
-            motion.z += now.r20 * alongX + now.r21 * alongY + now.r22 * alongZ - offsetZ;
+            // where the offset is now
+            motion.setTo(offsetX, offsetY, offsetZ);
+            Placement.rotateBack(turned, motion, motion);
+            motion.scaleBy(now.size / from.size);
+            now.rotate(motion, motion);
+            motion.setTo(now.x - from.x + (motion.x - offsetX), now.y - from.y + (motion.y - offsetY), now.z - from.z + (motion.z - offsetZ));
             return Trigonometry.arctangent(now.r10 * turned.r00 + now.r11 * turned.r01 + now.r12 * turned.r02
                     - now.r00 * turned.r10 - now.r01 * turned.r11 - now.r02 * turned.r12,
                     now.r00 * turned.r00 + now.r01 * turned.r01 + now.r02 * turned.r02 + now.r10 * turned.r10 + now.r11 * turned.r11 + now.r12 * turned.r12);
@@ -116,10 +115,10 @@ package starlogo.queries.motion
         {
             _rows.copyExcept(walk.body.rows, platformRow);
             var end:MotionResult = _slider.slide(walk.body, _rows, walk.place, walk.carry, SlideLimits.NONE);
-            if (end.fraction < 1 && leadsIntoPlatform(platformRow, walk, end.place))
+            if (end.fraction < 1 && leadsIntoPlatform(walk, platformRow, end.place))
             {
                 var straight:MotionResult = _slider.moveStraight(walk.body, _rows, walk.place, walk.carry);
-                if (!leadsIntoPlatform(platformRow, walk, straight.place))
+                if (!leadsIntoPlatform(walk, platformRow, straight.place))
                 {
                     end = straight;
                 }
@@ -128,7 +127,7 @@ package starlogo.queries.motion
         }
 
         // Whether the way from where the platform would carry the agent to where the agent comes leads into the platform.
-        private function leadsIntoPlatform(platformRow:int, walk:WalkState, place:Vector3D):Boolean
+        private function leadsIntoPlatform(walk:WalkState, platformRow:int, place:Vector3D):Boolean
         {
             _from.copyFrom(walk.place);
             _from.incrementBy(walk.carry);
@@ -151,7 +150,7 @@ package starlogo.queries.motion
                 var rise:Number = rows.values[i] == platformRow ? 0 : _seen.riseOf(rows.values[i]);
                 if (rise > lift)
                 {
-                    lift = Math.max(lift, findLiftOf(rows.values[i], rise, walk));
+                    lift = Math.max(lift, findLiftOf(walk, rows.values[i], rise));
                 }
             }
             return lift;
@@ -159,7 +158,7 @@ package starlogo.queries.motion
 
         // Finds how far up a row that has risen lifts the agent. As the row sees it, the agent has come down by the rise. So it is lifted to where the row
         // stops this way down. The row does not stop it if the agent was within the row before.
-        private function findLiftOf(row:int, rise:Number, walk:WalkState):Number
+        private function findLiftOf(walk:WalkState, row:int, rise:Number):Number
         {
             _rows.count = 0;
             _rows.add(row);

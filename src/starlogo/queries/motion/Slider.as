@@ -8,8 +8,8 @@ package starlogo.queries.motion
      * Moves a body as characters move: along what it meets, or straight on. The body ends a clearance before what stops it, so that the next motion
      * begins free.
      *
-     * <p>It returns how a motion ends. The result of a slide is valid until the next slide, that of a straight motion until the next straight one. The next
-     * motion of either kind may begin at the place of a result.</p>
+     * <p>It returns how a motion ends. There is one result for slides and one for straight motions, and each is valid until the next motion of its kind.
+     * That motion may begin at the place of the result.</p>
      *
      * @private
      */

@@ -37,7 +37,7 @@ package starlogo.queries.motion
         private var _row:IntList = new IntList();
         private var _sweepOfRow:ShrunkSweep = new ShrunkSweep();
 
-        // The results, whose memory is used again, and the indices of those that count, with the times as keys. The first is that of a free motion too.
+        // The results, whose memory is used again, and the indices of the results that count, with the times as keys. A free motion has the first result.
         private var _results:Vector.<MotionResult> = new <MotionResult>[new MotionResult()];
         private var _touches:SortableIntList = new SortableIntList();
 

@@ -18,7 +18,7 @@ package starlogo.queries.motion
      * <code>plan()</code> shows the order.
      *
      * <p>Steps take the walk to its next place, <code>WalkState.place</code>, and return whether the agent stands there. Then the walk has the floor too. If the
-     * agent does not stand after a method that begins with "try", here or in Foothold, the walk is where it was.</p>
+     * agent does not stand after a method that begins with "try", here or in FloorFinder, the walk is where it was.</p>
      *
      * @private
      */
@@ -44,7 +44,7 @@ package starlogo.queries.motion
         private var _slider:Slider = new Slider();
         private var _depenetration:Depenetration = new Depenetration();
         private var _platforms:PlatformCarry;
-        private var _foothold:Foothold;
+        private var _floorFinder:FloorFinder;
 
         // The motion and the limits of a step.
         private var _motion:Vector3D = new Vector3D();
@@ -57,7 +57,7 @@ package starlogo.queries.motion
         public function WalkPlanner(seen:SeenAgents)
         {
             _platforms = new PlatformCarry(seen, _slider);
-            _foothold = new Foothold(seen, _slider);
+            _floorFinder = new FloorFinder(seen, _slider);
         }
 
         /**
@@ -74,7 +74,8 @@ package starlogo.queries.motion
         public function plan(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:WalkState):Boolean
         {
             var platformRow:int = begin(agent, dx, dy, options, out);
-            var stands:Boolean = walkSubsteps(out, standOrPushOut(out, platformRow)) || fall(out);
+            var beginsStanding:Boolean = standOrPushOut(out, platformRow);
+            var stands:Boolean = walkSubsteps(out, beginsStanding) || fall(out);
             _depenetration.restoreClearance(out.body, out.place);
             return stands;
         }
@@ -135,7 +136,7 @@ package starlogo.queries.motion
             var z:Number = walk.place.z - walk.substepStart.z;
             walk.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.substepStart.copyFrom(walk.place);
-            return _foothold.tryStandAtEnd(walk, down);
+            return _floorFinder.tryStandAtEnd(walk, down);
         }
 
         // Lifts the agent with one-way rows that have risen into it, if there is room. Returns how far they lead.
@@ -183,7 +184,7 @@ package starlogo.queries.motion
                 {
                     walk.substepStart.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= beginsStanding && _foothold.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
+                    stands ||= beginsStanding && _floorFinder.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
                 }
                 if (stands)
                 {
@@ -223,7 +224,7 @@ package starlogo.queries.motion
             }
             // the ground may have led up only for a part of the substep: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.substepStart.z);
-            return _foothold.tryStandBelow(walk, walk.place, height + walk.options.snap + walk.maxFloorDistance);
+            return _floorFinder.tryStandBelow(walk, walk.place, height + walk.options.snap + walk.maxFloorDistance);
         }
 
         // Ends a substep where its slide ended.
@@ -255,7 +256,7 @@ package starlogo.queries.motion
             var depth:Number = height + walk.options.snap + walk.maxFloorDistance;
             var top:Number = slid.place.z;
             var down:MotionResult = _slider.moveVertically(walk.body, slid.place, -depth);
-            if (_foothold.tryStandAtEnd(walk, down) || (down.hasContact && trySlideOff(walk, down.place, depth - (top - down.place.z))))
+            if (_floorFinder.tryStandAtEnd(walk, down) || (down.hasContact && trySlideOff(walk, down.place, depth - (top - down.place.z))))
             {
                 walk.wallRow = upperWall >= 0 ? upperWall : wallBefore;
                 return true;
@@ -278,7 +279,7 @@ package starlogo.queries.motion
             var dx:Number = end.x - walk.substepStart.x;
             var dy:Number = end.y - walk.substepStart.y;
             return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, end)
-                && _foothold.tryStandBelow(walk, end, walk.maxFloorDistance);
+                && _floorFinder.tryStandBelow(walk, end, walk.maxFloorDistance);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. If nothing stops an endless fall, it ends where it began. Returns whether the
@@ -314,7 +315,7 @@ package starlogo.queries.motion
             }
             walk.place.setTo(from.x, from.y, from.z - fallLeft);
             // a fall can also end where the ground begins, without being stopped
-            return _foothold.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
+            return _floorFinder.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
         }
 
         // The lowest height of the rows near a walk. Below it, only walls of the ground are left.
@@ -333,7 +334,7 @@ package starlogo.queries.motion
         // stands.
         private function settle(walk:WalkState, stop:MotionResult, fallLeft:Number):Boolean
         {
-            if (_foothold.tryStandOn(walk, stop, stop.place))
+            if (_floorFinder.tryStandOn(walk, stop, stop.place))
             {
                 return true;
             }
@@ -343,7 +344,7 @@ package starlogo.queries.motion
             {
                 walk.place.copyFrom(end);
             }
-            return _foothold.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
+            return _floorFinder.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
         }
 
         // How far down the slide after a fall may lead. Sideways it may lead half as far.

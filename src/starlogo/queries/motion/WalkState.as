@@ -5,8 +5,8 @@ package starlogo.queries.motion
     import starlogo.queries.WalkOptions;
 
     /**
-     * A walk, as a record: what the options mean for this agent, how far it has come, and on what it stood last. The WalkPlanner writes it. The Foothold
-     * writes the place and the floor where the agent can stand.
+     * A walk, as a record: what the options mean for this agent, how far it has come, and on what it stood last. The WalkPlanner writes it. The
+     * FloorFinder writes the place and the floor where the agent can stand.
      *
      * @private
      */

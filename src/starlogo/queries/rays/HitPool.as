@@ -37,11 +37,7 @@ package starlogo.queries.rays
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    var spare:Object = _free.pop();
-                    if (spare == null)
-                    {
-                        spare = new _type();
-                    }
+                    var spare:Object = _free.length > 0 ? _free.pop() : new _type();
                     hits[i] = spare;
                 }
             }

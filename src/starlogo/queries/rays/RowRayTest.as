@@ -71,7 +71,7 @@ package starlogo.queries.rays
          * Moves a ray into the space of a row's model.
          *
          * @param rayInModel receives the ray there
-         * @return whether it is so near that it can be computed with
+         * @return whether the products of its numbers are finite there. They are not if the row is tiny and far from the ray
          */
         internal static function bringIntoModel(ray:Ray, placement:Placement, rayInModel:Ray):Boolean
         {

@@ -90,7 +90,7 @@ package starlogo.queries.trees
             }
         }
 
-        /** Whether as many rows are found as are wanted: enough for a question for which their keys do not matter. */
+        /** Whether enough rows are found for a question for which their keys do not matter. */
         public function get hasEnough():Boolean
         {
             return filter.accepts == null && _rows.count >= maxCount;

@@ -78,8 +78,8 @@ package starlogo.queries.trees
             return longest;
         }
 
-        // Sorts rows partly: the keys before the middle are not greater than the middle's key, the keys after it not smaller (Hoare, "Find",
-        // 1961).
+        // Sorts rows partly: the keys before the middle are not greater than the middle's key, the keys after it not smaller (quickselect: Hoare,
+        // "Find", 1961).
         private static function select(rows:Vector.<int>, keys:Vector.<Number>, first:int, last:int, middle:int):void
         {
             while (first < last)

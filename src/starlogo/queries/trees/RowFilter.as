@@ -34,7 +34,7 @@ package starlogo.queries.trees
         // Whether only the breeds of a list count.
         private var _namesBreeds:Boolean = false;
 
-        // The numbers of the breeds that are named, of those that are excepted, and the rows that are.
+        // The numbers of the named and of the excepted breeds, and the excepted rows.
         private var _breeds:IntSet = new IntSet();
         private var _exceptBreeds:IntSet = new IntSet();
         private var _exceptRows:IntSet = new IntSet();

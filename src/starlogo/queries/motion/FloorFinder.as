@@ -9,12 +9,12 @@ package starlogo.queries.motion
     import starlogo.search.Body;
 
     /**
-     * Lets an agent that walks stand on what is below it, if that carries the agent. A surface carries the agent if it is not too steep. At an edge,
-     * such as that of a step, the face behind the edge decides.
+     * Finds the floor of an agent that walks, and lets the agent stand on it. A floor is a surface that is not too steep. At an edge, such as that of
+     * a step, the face behind the edge decides.
      *
      * @private
      */
-    public final class Foothold
+    public final class FloorFinder
     {
         // At an edge, the face this far behind the edge is tested. A part of the extent.
         private static const BEHIND_EDGE:Number = 1e-4;
@@ -30,7 +30,7 @@ package starlogo.queries.motion
          * @param seen has the rows
          * @param slider moves the agent
          */
-        public function Foothold(seen:SeenAgents, slider:Slider)
+        public function FloorFinder(seen:SeenAgents, slider:Slider)
         {
             _slider = slider;
             _rowRays = new RowRayTest(seen);

@@ -64,13 +64,13 @@ package starlogo.broadphase
             for (var i:int = 1; i < levels.length; i++)
             {
                 var level:BinLevel = levels[i];
-                if (level.count == 0)
+                if (!level.hasBuckets)
                 {
                     continue;
                 }
                 for (var coarser:int = i + 1; coarser < levels.length; coarser++)
                 {
-                    if (levels[coarser].count > 0)
+                    if (levels[coarser].hasBuckets)
                     {
                         findPairsBetween(level, levels[coarser], sink);
                     }

@@ -292,7 +292,7 @@ package starlogo.collision
          */
         public function update(agents:Vector.<Agent>):void
         {
-            requireIdle("update");
+            requireNoFrame("update");
             requireGiven("agents", agents);
             var start:Number = getTimer();
             _handlerErrors.length = 0;
@@ -401,7 +401,7 @@ package starlogo.collision
             lastFrame.search = searched == null ? null : searched.search;
         }
 
-        private function requireIdle(what:String):void
+        private function requireNoFrame(what:String):void
         {
             if (_frameSystem != null)
             {
@@ -412,7 +412,7 @@ package starlogo.collision
         // The engine's collider for a snapshot.
         private function engineCollider(what:String):Collider
         {
-            requireIdle(what);
+            requireNoFrame(what);
             var collider:Collider = _system.samePairsCollider;
             if (collider == null)
             {

@@ -33,9 +33,9 @@ package starlogo.collision
         // Finds the index of a row's agent, and notes it. Once the agent was missing, it stays away for the rest of the frame. An agent that is back
         // before it is looked for was never missing. When agents are removed, others move towards the start of the list, so an agent is looked for there
         // first.
-        private function findIndex(list:ListedAgents, row:int):int
+        private function findIndex(listed:ListedAgents, row:int):int
         {
-            var agent:Agent = list.agentsByRow[row];
+            var agent:Agent = listed.agentsByRow[row];
             var index:int = _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {

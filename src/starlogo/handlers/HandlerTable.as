@@ -29,8 +29,7 @@ package starlogo.handlers
 
         private static const NONE:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
-        // What the game has added for two breeds, and what the frame calls for them, for breeds that have handlers or have met; and the index by the
-        // numbers of the two.
+        // A list for each two breeds that have handlers, or that agents of a pair had since the handlers changed; and its index by their numbers.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
         private var _indices:IntPairMap = new IntPairMap();
 

@@ -65,7 +65,6 @@ package starlogo.handlers
             }
             if (pairs !== _pairs)
             {
-                // they may have touches of another Collision
                 pairs.forgetTouches();
                 _pairs = pairs;
             }

@@ -101,8 +101,8 @@ package starlogo.search
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
-            // searches is the first that begins with the pairs of the last one.
+            // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So after an unlike search, two
+            // are of all rows: it, and the first one that is like it.
             var isLikeLast:Boolean = rememberConditions(input) && areFew(changeCount);
             if (isLikeLast && couldUpdatePairs && tryMoveChanged(input))
             {

@@ -44,7 +44,7 @@ package starlogo.search
             this.listed = listed;
         }
 
-        /** Lets no pair have a touch. Call it when all pairs were found anew. */
+        /** Lets no pair have a touch, because they may have those of another Collision. */
         public function forgetTouches():void
         {
             for (var i:int = 0; i < count; i++)
@@ -152,7 +152,8 @@ package starlogo.search
         }
 
         /**
-         * Adds the pairs of a row. In each of them the agent that is first in the list comes first.
+         * Adds the pairs of a row. In each of them the agent that is first in the list comes first. Their touches are not written before
+         * <code>reorder()</code>.
          *
          * @param others begins with the rows that touch the row
          * @param othersCount the number of these

@@ -81,7 +81,7 @@ package starlogo.search
                 out.distance = 0;
                 return;
             }
-            pairTestsFor(a, b).findClosestInAnyOrder(a, b, isTouching, out);
+            pairTestsFor(a, b).findClosest(a, b, isTouching, out);
         }
 
         /**

@@ -145,7 +145,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             queryOf(a, b).findClosest(areTouching, out);
         }

@@ -21,9 +21,8 @@ package starlogo.search.pairs
     /**
      * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs.
      *
-     * <p>The order of a pair: the ground or the edges of the world are the second body in all these methods. Other bodies may come in either
-     * order, except in <code>findClosest()</code>, which takes them as <code>Body.comesAfter()</code> says. Where rounding could depend on the
-     * order, a subclass puts the two into that one itself.</p>
+     * <p>The order of a pair: the ground or the edges of the world are the second body in all these methods except <code>findClosest()</code>. Other
+     * bodies may come in either order. Where rounding could depend on it, the two are put into the order of <code>Body.comesAfter()</code>.</p>
      *
      * @private
      */
@@ -100,7 +99,7 @@ package starlogo.search.pairs
         // nearest, the point and the normal stay as they are.
         private function findContactApart(a:Body, b:Body, out:ContactPoint):void
         {
-            findClosestInAnyOrder(a, b, false, _closest);
+            findClosest(a, b, false, _closest);
             if (areStructures(a, b) && _closest.distance <= toleranceOf(a, b, HIDDEN_DIRECTION))
             {
                 out.depth = 0;
@@ -173,26 +172,26 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the distance between two bodies, and their closest points. Body.comesAfter is false for the two.
+         * Finds the distance between two bodies, and their closest points. The ground or the edges of the world may come first.
          *
          * @param areTouching what <code>areTouching()</code> says of the two. If it is true the distance is 0, and otherwise greater
          * @param out receives the distance and the closest points, in the world
          */
         public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            throw new IllegalOperationError(this + " does not implement findClosest");
-        }
-
-        /** Does what findClosest() does, for two bodies in any order. */
-        public function findClosestInAnyOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
-        {
             if (a.comesAfter(b))
             {
-                findClosest(b, a, areTouching, out);
+                findClosestInOrder(b, a, areTouching, out);
                 out.swap();
                 return;
             }
-            findClosest(a, b, areTouching, out);
+            findClosestInOrder(a, b, areTouching, out);
+        }
+
+        /** Does what findClosest() does. Body.comesAfter is false for the two. */
+        protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            throw new IllegalOperationError(this + " does not implement findClosestInOrder");
         }
 
         /**

@@ -142,7 +142,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth (readSphere) leaves the gap in place
             _kernel.findClosest(a.worldStructure(), b.worldStructure(), out);

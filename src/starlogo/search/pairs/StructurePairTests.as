@@ -67,7 +67,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             StructurePairs.findClosest(a.worldStructure(), b.worldStructure(), out);
             out.correct(areTouching);

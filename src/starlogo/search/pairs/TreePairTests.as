@@ -150,7 +150,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             queryOf(a, b).findClosest(areTouching, out);
         }
@@ -170,8 +170,7 @@ package starlogo.search.pairs
             return _treeAndStructure.findNearestTriangle();
         }
 
-        // Gives the motion of two bodies that were asked about in the reverse order the time that was found, and turns the contact, if there is one, into
-        // theirs.
+        // Finishes a question that was asked in the reverse order: copies the time to the given motion, and swaps the contact if there is one.
         private function finishReversed(motion:RelativeMotion, out:ContactPoint):void
         {
             motion.time = _reversed.time;

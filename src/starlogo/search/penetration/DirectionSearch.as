@@ -36,8 +36,8 @@ package starlogo.search.penetration
 
         private var _pair:DisplacedPair;
 
-        // The direction, with the distance that is tested; and between which distances along it the two part. They touch at the inner one, unless it is
-        // 0. They are free at the outer one, once they have been tested there.
+        // The direction, with the distance that is tested; and the distances along it between which the two part. They touch at the inner one, unless it
+        // is 0. They are free at the outer one, once they have been tested there.
         private var _tried:Displacement = new Displacement();
         private var _inner:Number = 0;
         private var _outer:Number = 0;
@@ -60,9 +60,7 @@ package starlogo.search.penetration
          */
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
-            _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
-            _inner = 0;
-            _outer = guess.depth + _pair.tolerance;
+            begin(guess.normalX, guess.normalY, guess.normalZ, guess.depth + _pair.tolerance);
             growOuter(MIN_DEPTH_TO_IMPROVE * _pair.largestExtent);
             refine(out);
         }
@@ -75,10 +73,16 @@ package starlogo.search.penetration
          */
         public function shorten(free:Displacement, out:ContactPoint):void
         {
-            _tried.setDirection(free.directionX, free.directionY, free.directionZ);
-            _inner = 0;
-            _outer = free.distance;
+            begin(free.directionX, free.directionY, free.directionZ, free.distance);
             refine(out);
+        }
+
+        // Begins with a direction, and the whole way up to an outer distance along it.
+        private function begin(x:Number, y:Number, z:Number, outer:Number):void
+        {
+            _tried.setDirection(x, y, z);
+            _inner = 0;
+            _outer = outer;
         }
 
         // Sweeps back from the outer distance. If the depth is more than MIN_DEPTH_TO_IMPROVE, improves the direction. Then the point becomes the
@@ -107,9 +111,7 @@ package starlogo.search.penetration
             {
                 return false;
             }
-            _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
-            _inner = 0;
-            _outer = cosine * contact.depth + _pair.tolerance;
+            begin(_parting.normalX, _parting.normalY, _parting.normalZ, cosine * contact.depth + _pair.tolerance);
             return !areTouchingAtOuter();
         }
 
@@ -167,9 +169,7 @@ package starlogo.search.penetration
         private function correctDepth(out:ContactPoint):void
         {
             var probe:Number = _pair.probeDistance;
-            _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            _inner = 0;
-            _outer = out.depth + probe;
+            begin(out.normalX, out.normalY, out.normalZ, out.depth + probe);
             if (growOuter(probe))
             {
                 _tried.distance = out.depth - probe;

@@ -1,26 +1,19 @@
 // The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
-// A question goes to one of the classes in the first row. A BoxSearch of the package hierarchy then visits nodes of one tree, a Traversal pairs of
-// nodes of two trees. At the leaves of the search boxes decide, or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 // 
-// question              | a tree and a structure   | two trees              | a tree and a ray
-// who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayQuery
+// TreeStructureQuery    a tree and a structure. A BoxSearch of the package hierarchy visits nodes of the tree, and calls for each leaf:
+//     NodeImpactVisitor, NodeDistanceVisitor          if boxes decide
+//     TriangleImpactVisitor, TriangleDistanceVisitor  if triangles decide
+// TreeTreeQuery         two trees. One of three visits pairs of their nodes, and decides by the boxes of leaves:
+//     OverlapTraversal, ImpactTraversal, DistanceTraversal
+//     TrianglePairKernel                              is called by these for two leaves if triangles decide
+//     TriangleContactFinder                           finds the contact of the two triangles that touch first
+// TreeRayQuery          a tree and a ray. It visits the leaves itself, and a ShearedRay decides if triangles do.
 // 
-// boxes decide
-// whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
-// when or where first   | NodeImpactVisitor        | ImpactTraversal        | who is asked
-// the distance          | StructureDistanceVisitor | DistanceTraversal      | -
-// the contact           | StructurePairs           | StructurePairs         | -
+// An Impact is when and where two first touch; a structure that stands is a motion of length 0. All three ask ModelTree what is inside of a closed
+// surface: the package solid.interior knows. ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends,
+// impacts of surfaces between. Of several triangles that are touched first, a FirstImpact says which one counts.
 // 
-// triangles decide
-// whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -
-// when or where first   | TriangleImpactVisitor    | TrianglePairKernel     | who is asked, by a ShearedRay
-// the distance          | StructureDistanceVisitor | TrianglePairKernel     | -
-// the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
-// 
-// what is inside        | ModelTree.isInside()     | who is asked           | ModelTree.isInside()
-// 
-// ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
-// that are touched first, a FirstImpact says which one counts. The package solid.interior knows what is inside of a surface.
+// Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 
 package starlogo.solid
 {

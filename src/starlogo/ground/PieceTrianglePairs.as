@@ -135,13 +135,13 @@ package starlogo.ground
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            if (!(isTriangleOfLeaf ? nextNotInFront() : nextNearBox()))
+            var isNear:Boolean = isTriangleOfLeaf ? nextNotInFront() : nextNearBox();
+            if (isNear)
             {
-                return false;
+                // SquareSeparation may read the margin of any triangle: none is more than its slack
+                pieces.kernel.shape.margin = pieces.shapeMargin + triangle.margin;
             }
-            // SquareSeparation may read the margin of any triangle: none is more than its slack
-            pieces.kernel.shape.margin = pieces.shapeMargin + triangle.margin;
-            return true;
+            return isNear;
         }
 
         // Begins to go through the triangles near the box of the current piece.

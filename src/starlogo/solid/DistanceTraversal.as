@@ -46,9 +46,8 @@ package starlogo.solid
          */
         public function findClosest(trees:TreePair, kernel:TrianglePairKernel, out:ClosestPoints):void
         {
-            var relative:Placement = trees.pose.placement;
-            _radii = trees.a.radiusAboutOrigin + trees.b.radiusAboutOrigin * relative.size;
-            _pair.setRotation(relative);
+            _radii = trees.a.radiusAboutOrigin + trees.b.radiusAboutOrigin * trees.pose.placement.size;
+            _pair.setRotation(trees.pose.placement);
             _nearest = out;
             out.distance = Infinity;
             visitPairs(trees, kernel);

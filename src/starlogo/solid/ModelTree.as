@@ -1,19 +1,16 @@
 // The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
 // 
-// TreeStructureQuery    a tree and a structure. A BoxSearch of the package hierarchy visits nodes of the tree, and calls for each leaf:
-//     NodeImpactVisitor, NodeDistanceVisitor          if boxes decide
-//     TriangleImpactVisitor, TriangleDistanceVisitor  if triangles decide
-// TreeTreeQuery         two trees. One of three visits pairs of their nodes, and decides by the boxes of leaves:
-//     OverlapTraversal, ImpactTraversal, DistanceTraversal
-//     TrianglePairKernel                              is called by these for two leaves if triangles decide
-//     TriangleContactFinder                           finds the contact of the two triangles that touch first
-// TreeRayQuery          a tree and a ray. It visits the leaves itself, and a ShearedRay decides if triangles do.
+// who is asked       | about what             | who visits the tree, and decides by boxes            | who decides by triangles
+// TreeStructureQuery | a tree and a structure | NodeImpactVisitor, NodeDistanceVisitor               | TriangleImpactVisitor, TriangleDistanceVisitor
+// TreeTreeQuery      | two trees              | OverlapTraversal, ImpactTraversal, DistanceTraversal | TrianglePairKernel, called by the three
+// TreeRayQuery       | a tree and a ray       | who is asked                                         | who is asked, by a ShearedRay
 // 
-// An Impact is when and where two first touch; a structure that stands is a motion of length 0. All three ask ModelTree what is inside of a closed
-// surface: the package solid.interior knows. ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends,
-// impacts of surfaces between. Of several triangles that are touched first, a FirstImpact says which one counts.
+// A BoxSearch of the package hierarchy calls a Visitor for each leaf of one tree. A Traversal visits pairs of nodes of two trees. An Impact is when two
+// first touch, and where: of two triangles, TriangleContactFinder finds the contact, and of boxes StructurePairs. A structure that stands is
+// a motion of length 0. What is inside of a surface, all three ask ModelTree, and it asks the package solid.interior.
 // 
-// Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
+// ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
+// that are touched first, a FirstImpact says which one counts. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 
 package starlogo.solid
 {

@@ -47,9 +47,8 @@ package starlogo.solid
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            var extents:Vector.<Number> = _extents;
             // the radius of the tree, and half of the structure's extents: the rounding error is relative to them
-            var radii:Number = tree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
+            var radii:Number = tree.boundingRadius + (_extents[1] - _extents[0]) / 2 + (_extents[3] - _extents[2]) / 2 + (_extents[5] - _extents[4]) / 2;
             StructurePairs.findClosest(tree.boxOf(node), _structure, _measured);
             DistanceTraversal.subtractSlack(_measured, tree.levelOf(node), 0, radii);
             if (_measured.distance < limit)

@@ -104,8 +104,10 @@ package starlogo.solid
         // Writes the extents along an axis, which begin at an index, of the core and of its travel along that axis.
         private function sweepAlong(at:int, travel:Number):void
         {
-            _sweptExtents[at] = _coreExtents[at] + (travel < 0 ? travel : 0);
-            _sweptExtents[int(at + 1)] = _coreExtents[int(at + 1)] + (travel > 0 ? travel : 0);
+            var back:Number = travel < 0 ? travel : 0;
+            var ahead:Number = travel > 0 ? travel : 0;
+            _sweptExtents[at] = _coreExtents[at] + back;
+            _sweptExtents[int(at + 1)] = _coreExtents[int(at + 1)] + ahead;
         }
 
         /** @inheritDoc */

@@ -133,8 +133,12 @@ package starlogo.ground
             return true;
         }
 
-        /** Divides the current piece, an inner node: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below. */
-        public function divide():void
+        /**
+         * Divides the current piece, an inner node: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below.
+         *
+         * @return whether they are the triangles of a leaf
+         */
+        public function divide():Boolean
         {
             var node:int = _nodes[nodesLeft];
             var left:int = _tree.left[node];
@@ -142,12 +146,13 @@ package starlogo.ground
             {
                 _nextTriangle = _tree.firstPrimitive[node];
                 _trianglesEnd = _tree.endPrimitive[node];
-                return;
+                return true;
             }
             var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
             _nodes[nodesLeft] = isLeftLower ? left + 1 : left;
             _nodes[int(nodesLeft + 1)] = isLeftLower ? left : left + 1;
             nodesLeft += 2;
+            return false;
         }
 
         // How high the middle of a node is, as a multiple of the model's size.

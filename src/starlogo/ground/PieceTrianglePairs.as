@@ -15,8 +15,14 @@ package starlogo.ground
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
      *
-     * <p>The triangles near an inner node that comes to few cells are found once, and kept for the pieces inside of it: each box is tested against them.
-     * If the pieces of a leaf are triangles, those near the leaf's box are chosen first, and only these are tested.</p>
+     * <p>A GroundTriangles finds the triangles near a box. There are three cases:</p>
+     *
+     * <ul>
+     * <li>A piece has its own search, and its triangles are tested as they are found.</li>
+     * <li>An inner node comes to few cells. Its triangles are kept, and the box of each piece inside of it is tested against them.</li>
+     * <li>A leaf is inside of such a node, and its pieces are triangles. Of the kept triangles those near the leaf's box are chosen, and each piece is
+     * tested against these by their planes.</li>
+     * </ul>
      */
     internal final class PieceTrianglePairs
     {
@@ -34,30 +40,28 @@ package starlogo.ground
 
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // The triangles so far. If they are not kept, the first one is overwritten. The list grows during the first searches, up to the triangles of few
-        // cells. So later frames allocate nothing.
+        // The triangles that the search has found so far. If they are not kept, the first one is overwritten. The list grows during the first searches, up
+        // to the triangles of few cells. So later frames allocate nothing.
         private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
-        private var _count:int = 0;
+        private var _foundCount:int = 0;
 
         // Whether they are kept, until fewer nodes are left than when the search began.
         private var _areKept:Boolean = false;
         private var _nodesLeftAtSearch:int = 0;
 
-        // Those near the box of the current leaf. They are chosen if a triangle of the leaf is the current piece.
+        // Those near the box of the leaf that was divided last, if they were kept.
         private var _leafTriangles:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
         private var _leafTriangleCount:int = 0;
-        private var _isInLeaf:Boolean = false;
 
-        // The place of the next triangle in the list of the current piece.
+        // The place of the next triangle in the list that the current piece is tested against.
         private var _next:int = 0;
 
         // The box around the whole motion of the current piece, or of the leaf around it.
         private var _box:GroundBox = new GroundBox();
 
-        // The ground under a point of the current piece, its normal there, and the piece's lowest point along this normal, relative to the origin.
+        // The ground under a point of the current piece, and its normal there.
         private var _under:GroundPoint = new GroundPoint();
         private var _normal:Vector3D = new Vector3D();
-        private var _point:Vector3D = new Vector3D();
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
@@ -79,8 +83,8 @@ package starlogo.ground
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
             _source.stop();
-            _areKept = _isInLeaf = false;
-            _next = _count = 0;
+            _areKept = false;
+            _next = _foundCount = 0;
             pieces.begin();
             search.motion = motion;
             search.maxDistance = maxDistance;
@@ -105,42 +109,39 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                beginPiece();
-                if (pieces.kind != ModelPieces.INNER_NODE || !nextNearPiece())
+                _next = 0;
+                if (!isTriangleOfLeaf)
+                {
+                    beginWithBox();
+                }
+                if (pieces.kind != ModelPieces.INNER_NODE || !nextNearBox())
                 {
                     return true;
                 }
-                pieces.divide();
+                if (pieces.divide() && _areKept)
+                {
+                    chooseForLeaf();
+                }
             }
             return false;
+        }
+
+        // Whether the current piece is tested against the triangles that are chosen for its leaf.
+        private function get isTriangleOfLeaf():Boolean
+        {
+            return _areKept && pieces.kind == ModelPieces.TRIANGLE;
         }
 
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            if (!nextNearPiece())
+            var isNear:Boolean = isTriangleOfLeaf ? nextNotInFront() : nextNearBox();
+            if (isNear)
             {
-                return false;
+                // SquareSeparation may read the margin of any triangle: none is more than its slack
+                pieces.kernel.shape.margin = pieces.shapeMargin + triangle.margin;
             }
-            // SquareSeparation may read the margin of any triangle: none is more than its slack
-            pieces.kernel.shape.margin = pieces.shapeMargin + triangle.margin;
-            return true;
-        }
-
-        // Begins with the triangles near the current piece.
-        private function beginPiece():void
-        {
-            var isLeafTriangle:Boolean = pieces.kind == ModelPieces.TRIANGLE && _areKept;
-            _next = 0;
-            if (!isLeafTriangle)
-            {
-                beginWithBox();
-            }
-            else if (!_isInLeaf)
-            {
-                chooseForLeaf();
-            }
-            _isInLeaf = isLeafTriangle;
+            return isNear;
         }
 
         // Begins to go through the triangles near the box of the current piece.
@@ -173,28 +174,24 @@ package starlogo.ground
             _source.begin(search);
             _areKept = pieces.kind == ModelPieces.INNER_NODE && _source.beginsAtCells();
             _nodesLeftAtSearch = pieces.nodesLeft;
-            _count = 0;
+            _foundCount = 0;
         }
 
-        // Chooses the triangles near the box of the current leaf, whose first triangle is the current piece.
+        // Chooses the triangles near the box of the current piece, a leaf.
         private function chooseForLeaf():void
         {
+            _next = 0;
             _leafTriangleCount = 0;
             while (nextNearBox())
             {
                 _leafTriangles[_leafTriangleCount] = triangle;
                 _leafTriangleCount++;
             }
-            _next = 0;
         }
 
-        // Goes on to the next triangle near the piece, without its margin.
-        private function nextNearPiece():Boolean
+        // Goes on to the next triangle of those chosen for the leaf that the current piece, a triangle, is not all in front of.
+        private function nextNotInFront():Boolean
         {
-            if (!_isInLeaf)
-            {
-                return nextNearBox();
-            }
             while (_next < _leafTriangleCount)
             {
                 triangle = _leafTriangles[_next];
@@ -210,7 +207,7 @@ package starlogo.ground
         // Goes on to the next triangle near the box.
         private function nextNearBox():Boolean
         {
-            while (_next < _count || fetchFromSource())
+            while (_next < _foundCount || findOneMore())
             {
                 triangle = _found[_next];
                 _next++;
@@ -222,23 +219,23 @@ package starlogo.ground
             return false;
         }
 
-        // Fetches one more triangle from the source. Returns false if there is none.
-        private function fetchFromSource():Boolean
+        // Finds one more triangle. Returns false if there is none.
+        private function findOneMore():Boolean
         {
             if (!_areKept)
             {
-                _count = _next = 0;
+                _foundCount = _next = 0;
             }
-            if (_count == _found.length)
+            if (_foundCount == _found.length)
             {
                 _found.push(new GroundTriangle());
             }
-            if (!_source.next(_found[_count]))
+            if (!_source.next(_found[_foundCount]))
             {
                 return false;
             }
-            _found[_count].prepare(_source);
-            _count++;
+            _found[_foundCount].prepare(_source);
+            _foundCount++;
             return true;
         }
 
@@ -283,10 +280,13 @@ package starlogo.ground
             return least - triangle.plane.max > search.maxDistance - search.minDepth + pieces.shapeMargin + _source.slack;
         }
 
-        /** Whether a point of the current piece is at least this deep under the ground. */
+        /** Finds the ground under a point of the current piece. Returns whether the point is at least this deep under it. */
         public function hasPointUnder(depth:Number):Boolean
         {
-            return isUnder(pieces.point, depth);
+            _under.x = pieces.point.x + search.origin.x;
+            _under.y = pieces.point.y + search.origin.y;
+            search.grid.findHeight(_under);
+            return _under.height - depth >= pieces.point.z + search.origin.z;
         }
 
         /**
@@ -295,7 +295,7 @@ package starlogo.ground
          */
         public function isPartUnder():Boolean
         {
-            if (isUnder(pieces.point, 0))
+            if (hasPointUnder(0))
             {
                 return true;
             }
@@ -306,19 +306,10 @@ package starlogo.ground
             var shape:ConvexShape = pieces.kernel.shape;
             search.grid.findNormal(_under, _normal);
             var at:int = shape.support(_normal, -1);
-            _point.x = shape.origin.x + shape.points[at] - shape.radius * _normal.x;
-            _point.y = shape.origin.y + shape.points[int(at + 1)] - shape.radius * _normal.y;
-            _point.z = shape.origin.z + shape.points[int(at + 2)] - shape.radius * _normal.z;
-            return isUnder(_point, 0);
-        }
-
-        // Finds the ground under a point. Returns whether the point is at least so deep under it.
-        private function isUnder(point:Vector3D, depth:Number):Boolean
-        {
-            _under.x = point.x + search.origin.x;
-            _under.y = point.y + search.origin.y;
+            _under.x = shape.origin.x + shape.points[at] - shape.radius * _normal.x + search.origin.x;
+            _under.y = shape.origin.y + shape.points[int(at + 1)] - shape.radius * _normal.y + search.origin.y;
             search.grid.findHeight(_under);
-            return _under.height - depth >= point.z + search.origin.z;
+            return _under.height >= shape.origin.z + shape.points[int(at + 2)] - shape.radius * _normal.z + search.origin.z;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */

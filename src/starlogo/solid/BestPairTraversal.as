@@ -10,11 +10,17 @@ package starlogo.solid
      * below it can be better than the best pair so far.
      *
      * <p>Which pair is best depends on the question, and each question has a subclass: when two moving trees first touch, how far two trees
-     * are apart. Whether two standing trees overlap needs no bounds: see OverlapTraversal.</p>
+     * are apart. It keeps the best pair. Whether two standing trees overlap needs no bounds: see OverlapTraversal.</p>
+     *
+     * <p>Two Numbers are fields, because JavaScript engines allocate an object for each Number that functions pass.</p>
      */
     internal class BestPairTraversal
     {
-        private var _best:BestPair = new BestPair();
+        /** No larger time or distance counts: that of the best pair so far, or Infinity. */
+        protected var limit:Number = Infinity;
+
+        /** No part of the pair of nodes that is estimated has a smaller time or distance. Before it is estimated, the bound of its parent pair. */
+        protected var bound:Number = 0;
 
         // The pairs of nodes still to visit, and their bounds. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
@@ -29,12 +35,11 @@ package starlogo.solid
         }
 
         /**
-         * Finds the best pair of leaves: see BoxTree. A subclass calls it when all is set that does not depend on the nodes.
+         * Visits the pairs of leaves (see BoxTree) that may be the best one. A subclass calls it when all is set that does not depend on the nodes.
          *
          * @param kernel tests the triangles of two leaves; null if their boxes are tested
-         * @return the best pair; the next search overwrites it
          */
-        protected final function find(trees:TreePair, kernel:TrianglePairKernel):BestPair
+        protected final function visitPairs(trees:TreePair, kernel:TrianglePairKernel):void
         {
             var treeA:BoxTree = trees.a;
             var treeB:BoxTree = trees.b;
@@ -42,22 +47,21 @@ package starlogo.solid
             var leafDepthsB:Vector.<int> = treeB.leafUpToDepth;
             var nodes:Vector.<int> = _nodes;
             var bounds:Vector.<Number> = _nodeBounds;
-            var out:BestPair = _best;
             var visits:int = 1;
             var top:int = 1;
-            out.limit = out.time = out.points.distance = Infinity;
-            out.bound = 0;
-            estimate(trees, 0, 0, out);
+            limit = Infinity;
+            bound = 0;
+            estimate(trees, 0, 0);
             nodes[0] = 0;
             nodes[1] = 0;
-            bounds[0] = out.bound;
-            while (top > 0 && out.limit > 0)
+            bounds[0] = bound;
+            while (top > 0 && limit > 0)
             {
                 top--;
                 var a:int = nodes[2 * top];
                 var b:int = nodes[2 * top + 1];
-                var bound:Number = bounds[top];
-                if (!(bound < out.limit))
+                var parentBound:Number = bounds[top];
+                if (!(parentBound < limit))
                 {
                     continue;
                 }
@@ -65,7 +69,7 @@ package starlogo.solid
                 var isLeafB:Boolean = leafDepthsB[b] >= trees.depthB;
                 if (isLeafA && isLeafB)
                 {
-                    measure(trees, a, b, kernel, out);
+                    measure(trees, a, b, kernel);
                     continue;
                 }
                 var dividesA:Boolean = trees.dividesA(a, isLeafA, b, isLeafB);
@@ -73,12 +77,12 @@ package starlogo.solid
                 var leftB:int = dividesA ? b : treeB.left[b];
                 var rightA:int = dividesA ? leftA + 1 : a;
                 var rightB:int = dividesA ? b : leftB + 1;
-                out.bound = bound;
-                estimate(trees, leftA, leftB, out);
-                var leftBound:Number = out.bound;
-                out.bound = bound;
-                estimate(trees, rightA, rightB, out);
-                var rightBound:Number = out.bound;
+                bound = parentBound;
+                estimate(trees, leftA, leftB);
+                var leftBound:Number = bound;
+                bound = parentBound;
+                estimate(trees, rightA, rightB);
+                var rightBound:Number = bound;
                 visits += 2;
                 // The better of the two pairs is last, so it is visited first.
                 var isLeftBetter:Boolean = leftBound < rightBound;
@@ -92,17 +96,16 @@ package starlogo.solid
                 top++;
             }
             _counts.nodeVisits += visits;
-            return out;
         }
 
-        /** Sets <code>out.bound</code> for a pair of nodes. A bound that is not less than <code>out.limit</code> need not be exact. */
-        protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
+        /** Sets the bound of a pair of nodes. A bound that is not less than the limit need not be exact. */
+        protected function estimate(trees:TreePair, a:int, b:int):void
         {
             throw new IllegalOperationError(this + " does not implement estimate");
         }
 
         /** Measures two leaves, by the kernel, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
-        protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel, out:BestPair):void
+        protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
             throw new IllegalOperationError(this + " does not implement measure");
         }

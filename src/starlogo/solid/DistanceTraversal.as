@@ -28,6 +28,8 @@ package starlogo.solid
         // The radii of the spheres about both origins that contain the trees, together. The rounding error is relative to it.
         private var _radii:Number;
 
+        // The closest points of the best pair so far, and of the leaves that are measured.
+        private var _nearest:ClosestPoints;
         private var _measured:ClosestPoints = new ClosestPoints();
 
         /** @param counts counts the pairs of nodes that are visited */
@@ -44,10 +46,11 @@ package starlogo.solid
          */
         public function findClosest(trees:TreePair, kernel:TrianglePairKernel, out:ClosestPoints):void
         {
-            var relative:Placement = trees.pose.placement;
-            _radii = trees.a.radiusAboutOrigin + trees.b.radiusAboutOrigin * relative.size;
-            _pair.setRotation(relative);
-            out.copyFrom(find(trees, kernel).points);
+            _radii = trees.a.radiusAboutOrigin + trees.b.radiusAboutOrigin * trees.pose.placement.size;
+            _pair.setRotation(trees.pose.placement);
+            _nearest = out;
+            out.distance = Infinity;
+            visitPairs(trees, kernel);
         }
 
         /**
@@ -56,7 +59,7 @@ package starlogo.solid
          * <p>The bound is the greatest of three: the distance along a's axes, along b's axes, and along the line between the closest points so far. A
          * pair that is too far away along a's axes need not be estimated exactly.</p>
          */
-        override protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
+        override protected function estimate(trees:TreePair, a:int, b:int):void
         {
             var pair:BoxPair = _pair;
             trees.readBoxes(a, b, pair);
@@ -76,22 +79,22 @@ package starlogo.solid
             distance -= pair.aHalfZ + pair.abs20 * pair.bHalfX + pair.abs21 * pair.bHalfY + pair.abs22 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            var far:Number = out.limit + 2 * SLACK * (out.limit + _radii);
+            var far:Number = limit + 2 * SLACK * (limit + _radii);
             if (squared > far * far)
             {
-                out.bound = out.limit;
+                bound = limit;
                 return;
             }
-            raiseBound(Math.sqrt(squared), out);
-            estimateAlongAxesOfB(pair, out);
-            if (out.points.distance < Infinity)
+            raiseBound(Math.sqrt(squared));
+            estimateAlongAxesOfB(pair);
+            if (_nearest.distance < Infinity)
             {
-                estimateAlongLine(pair, out);
+                estimateAlongLine(pair);
             }
         }
 
         // Raises the bound to the distance of two boxes along the axes of b's.
-        private function estimateAlongAxesOfB(pair:BoxPair, out:BestPair):void
+        private function estimateAlongAxesOfB(pair:BoxPair):void
         {
             var rotation:Placement = pair.rotation;
             var distance:Number = rotation.r00 * pair.offsetX + rotation.r10 * pair.offsetY + rotation.r20 * pair.offsetZ;
@@ -109,15 +112,15 @@ package starlogo.solid
             distance -= pair.abs02 * pair.aHalfX + pair.abs12 * pair.aHalfY + pair.abs22 * pair.aHalfZ + pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            raiseBound(Math.sqrt(squared), out);
+            raiseBound(Math.sqrt(squared));
         }
 
         // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
         // nearer.
-        private function estimateAlongLine(pair:BoxPair, out:BestPair):void
+        private function estimateAlongLine(pair:BoxPair):void
         {
             var rotation:Placement = pair.rotation;
-            var points:ClosestPoints = out.points;
+            var points:ClosestPoints = _nearest;
             var toX:Number = points.b.x - points.a.x;
             var toY:Number = points.b.y - points.a.y;
             var toZ:Number = points.b.z - points.a.z;
@@ -137,34 +140,35 @@ package starlogo.solid
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            raiseBound((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length, out);
+            raiseBound((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length);
         }
 
         // Raises the bound to a computed distance, less its rounding error.
-        private function raiseBound(distance:Number, out:BestPair):void
+        private function raiseBound(distance:Number):void
         {
-            var bound:Number = distance - SLACK * (distance + _radii);
-            if (bound > out.bound)
+            var raised:Number = distance - SLACK * (distance + _radii);
+            if (raised > bound)
             {
-                out.bound = bound;
+                bound = raised;
             }
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel, out:BestPair):void
+        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
             if (kernel != null)
             {
-                kernel.findCloser(a, b, out);
+                kernel.findCloser(a, b, _nearest);
+                limit = _nearest.distance;
                 return;
             }
             var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));
             StructurePairs.findClosest(trees.a.boxOf(a), placedB, _measured);
             subtractSlack(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
-            if (_measured.distance < out.limit)
+            if (_measured.distance < limit)
             {
-                out.limit = _measured.distance;
-                out.points.copyFrom(_measured);
+                limit = _measured.distance;
+                _nearest.copyFrom(_measured);
             }
         }
 

@@ -13,11 +13,18 @@ package starlogo.solid
      */
     internal final class ImpactTraversal extends BestPairTraversal
     {
+        /** When the two first touch, or RelativeMotion.NEVER. Read only, but for the kernel, as the next two. */
+        public var firstTime:Number = RelativeMotion.NEVER;
+
+        /** The leaves that touch first, or the indices of triangles if a kernel tests these. Undefined if none touch. */
+        public var firstA:int = 0;
+        public var firstB:int = 0;
+
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPair = new BoxPair();
 
         // The motion, up to the best time so far.
-        private var _motion:RelativeMotion = new RelativeMotion();
+        private var _motion:RelativeMotion;
 
         /** @param counts counts the pairs of nodes that are visited */
         public function ImpactTraversal(counts:TreeCounts)
@@ -26,21 +33,20 @@ package starlogo.solid
         }
 
         /**
-         * Finds when two trees first touch.
+         * Finds when two trees first touch, and which leaves or triangles do.
          *
-         * @param motion of tree b, from the pose on
-         * @param kernel tests the triangles of two leaves; null if their boxes are tested
-         * @return the leaves or triangles that touch first, and the time; the next search overwrites it
+         * @param motion of tree b, from the pose on; its time and its latest time are overwritten
+         * @param kernel tests the triangles of two leaves, and began with this motion; null if their boxes are tested
          */
-        public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:TrianglePairKernel):BestPair
+        public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:TrianglePairKernel):void
         {
             var relative:Placement = trees.pose.placement;
             _pair.setRotation(relative);
-            _motion.copyVector(motion);
-            _motion.latestTime = motion.latestTime;
+            _motion = motion;
+            firstTime = RelativeMotion.NEVER;
             _pair.margin = trees.pose.margin + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            return find(trees, kernel);
+            visitPairs(trees, kernel);
         }
 
         /**
@@ -48,38 +54,40 @@ package starlogo.solid
          *
          * <p>The bound is the first time at which no face separates the boxes.</p>
          */
-        override protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
+        override protected function estimate(trees:TreePair, a:int, b:int):void
         {
-            beginPair(trees, a, b, out);
+            beginPair(trees, a, b);
             _sweep.findTimeOfFaces(_pair, _motion);
-            out.bound = _motion.time;
+            bound = _motion.time;
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel, out:BestPair):void
+        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
             if (kernel != null)
             {
-                kernel.findEarlier(a, b, out);
+                kernel.findEarlier(a, b, this);
+                // pairs may still come that touch no later than this
+                limit = firstTime < Infinity ? _motion.latestTime : Infinity;
                 return;
             }
-            beginPair(trees, a, b, out);
+            beginPair(trees, a, b);
             _sweep.findTimeOfImpact(_pair, _motion);
-            if (_motion.time < out.limit)
+            if (_motion.time < limit)
             {
-                out.limit = out.time = _motion.time;
-                out.a = a;
-                out.b = b;
+                limit = firstTime = _motion.time;
+                firstA = a;
+                firstB = b;
             }
         }
 
         // Reads the boxes of two nodes, and ends their motion at the best time so far.
-        private function beginPair(trees:TreePair, a:int, b:int, best:BestPair):void
+        private function beginPair(trees:TreePair, a:int, b:int):void
         {
             trees.readBoxes(a, b, _pair);
-            if (best.limit < _motion.latestTime)
+            if (limit < _motion.latestTime)
             {
-                _motion.latestTime = best.limit;
+                _motion.latestTime = limit;
             }
         }
     }

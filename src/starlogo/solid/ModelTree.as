@@ -1,26 +1,16 @@
 // The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
-// A question goes to one of the classes in the first row. A BoxSearch of the package hierarchy then visits nodes of one tree, a Traversal pairs of
-// nodes of two trees. At the leaves of the search boxes decide, or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 // 
-// question              | a tree and a structure   | two trees              | a tree and a ray
-// who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayQuery
+// who is asked       | about what             | who visits the tree, and decides by boxes            | who decides by triangles
+// TreeStructureQuery | a tree and a structure | NodeImpactVisitor, NodeDistanceVisitor               | TriangleImpactVisitor, TriangleDistanceVisitor
+// TreeTreeQuery      | two trees              | OverlapTraversal, ImpactTraversal, DistanceTraversal | TrianglePairKernel, called by the three
+// TreeRayQuery       | a tree and a ray       | who is asked                                         | who is asked, by a ShearedRay
 // 
-// boxes decide
-// whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
-// when or where first   | NodeImpactVisitor        | ImpactTraversal        | who is asked
-// the distance          | StructureDistanceVisitor | DistanceTraversal      | -
-// the contact           | StructurePairs           | StructurePairs         | -
-// 
-// triangles decide
-// whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -
-// when or where first   | TriangleImpactVisitor    | TrianglePairKernel     | who is asked, by a ShearedRay
-// the distance          | StructureDistanceVisitor | TrianglePairKernel     | -
-// the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
-// 
-// what is inside        | ModelTree.isInside()     | who is asked           | ModelTree.isInside()
+// A BoxSearch of the package hierarchy calls a Visitor for each leaf of one tree. A Traversal visits pairs of nodes of two trees. An Impact is when two
+// first touch, and where: of two triangles, TriangleContactFinder finds the contact, and of boxes StructurePairs. A structure that stands is
+// a motion of length 0. What is inside of a surface, all three ask ModelTree, and it asks the package solid.interior.
 // 
 // ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
-// that are touched first, a FirstImpact says which one counts. The package solid.interior knows what is inside of a surface.
+// that are touched first, a FirstImpact says which one counts. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 
 package starlogo.solid
 {

@@ -129,7 +129,7 @@ package starlogo.solid
         /**
          * Finds when the surfaces of the two first touch.
          *
-         * @param motion of b in a's space, from the pose on; receives the time
+         * @param motion of b in a's space, from the pose on; receives the time, and its latest time is overwritten
          * @param out receives the contact then, in a's space, with a normal from a to b, and the number of a's triangle if b is a structure; null if
          *     only the time is needed
          */

@@ -28,8 +28,9 @@ package starlogo.solid
         private var _structure:BoundingStructure = null;
 
         private var _nodeImpact:NodeImpactVisitor;
+        private var _nodeDistance:NodeDistanceVisitor;
         private var _triangleImpact:TriangleImpactVisitor;
-        private var _distance:StructureDistanceVisitor;
+        private var _triangleDistance:TriangleDistanceVisitor;
 
         // The motion of a structure that stands; a search overwrites its times.
         private var _still:RelativeMotion = new RelativeMotion();
@@ -43,8 +44,9 @@ package starlogo.solid
         public function TreeStructureQuery(counts:TreeCounts)
         {
             _nodeImpact = new NodeImpactVisitor(counts);
+            _nodeDistance = new NodeDistanceVisitor(counts);
             _triangleImpact = new TriangleImpactVisitor(_kernel, counts);
-            _distance = new StructureDistanceVisitor(_kernel, counts);
+            _triangleDistance = new TriangleDistanceVisitor(_kernel, counts);
         }
 
         /**
@@ -68,7 +70,7 @@ package starlogo.solid
         public function findNearestTriangle():int
         {
             pose.setBetween(placementA, placementB, RelativeMotion.NONE, 0);
-            var index:int = _depth == BoxTree.EXACT ? _distance.find(_tree, _depth, placed(), _measured) : -1;
+            var index:int = _depth == BoxTree.EXACT ? _triangleDistance.findClosest(_tree.treeFor(_depth), placed(), _measured) : -1;
             return index < 0 ? -1 : _tree.boxTree.primitives[index];
         }
 
@@ -134,7 +136,14 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
-            _distance.find(_tree, _depth, _depth == BoxTree.EXACT ? placed() : placedWidened(), out);
+            if (_depth == BoxTree.EXACT)
+            {
+                _triangleDistance.findClosest(_tree.treeFor(_depth), placed(), out);
+            }
+            else
+            {
+                _nodeDistance.findClosest(_tree.boxTree, _depth, placedWidened(), out);
+            }
         }
 
         /** A structure that does not touch the surface is inside if one point of it is. @inheritDoc */

@@ -79,19 +79,19 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
-            var best:BestPair = _impact.findFirstPair(_trees, motion, kernelFor(motion));
-            motion.time = best.time;
+            _impact.findFirstPair(_trees, motion, kernelFor(motion));
+            motion.time = _impact.firstTime;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
                 return;
             }
             if (isExact)
             {
-                _contactFinder.find(_trees, best, motion, out);
+                _contactFinder.find(_trees, _impact.firstA, _impact.firstB, motion, out);
             }
             else
             {
-                findContactOfNodes(best.a, best.b, motion, out);
+                findContactOfNodes(_impact.firstA, _impact.firstB, motion, out);
             }
         }
 

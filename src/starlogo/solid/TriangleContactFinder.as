@@ -53,17 +53,18 @@ package starlogo.solid
          * Finds the contact, in a's space.
          *
          * @param trees the trees of both models, and the pose of b in a's space
-         * @param best has the indices of the triangles
+         * @param indexA the index of a's triangle
+         * @param indexB the index of b's triangle
          * @param motion of b, which is where it is at the motion's time; its start must be 0
          * @param out receives the contact, with a normal from a to b
          */
-        public function find(trees:TreePair, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        public function find(trees:TreePair, indexA:int, indexB:int, motion:RelativeMotion, out:ContactPoint):void
         {
             var placement:Placement = trees.pose.placement;
             var cullDistance:Number = trees.cullDistance(motion);
             var plane:TrianglePlane = _plane;
-            trees.a.readTriangle(best.a, _cornersOfA);
-            trees.b.readTriangle(best.b, _cornersOfB);
+            trees.a.readTriangle(indexA, _cornersOfA);
+            trees.b.readTriangle(indexB, _cornersOfB);
             placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             var radiusOfA:Number = _kernel.shape.boundingRadius;

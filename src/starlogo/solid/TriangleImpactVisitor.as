@@ -69,20 +69,12 @@ package starlogo.solid
          */
         public function findFirstTriangle(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
-            limit = motion.latestTime;
-            begin(tree, structure, pose, motion);
-            _firstImpact.reset();
-            _found = -1;
-            _search.visitMet(tree, BoxTree.EXACT, this);
-            motion.time = _firstImpact.time;
-            return _found;
-        }
-
-        private function begin(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
-        {
             var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
+            limit = motion.latestTime;
             _motion = motion;
+            _firstImpact.reset();
+            _found = -1;
             structure.extentsInto(extents);
             shape.margin += pose.margin + Touching.marginOfSurface(tree.boundingRadius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
@@ -97,6 +89,9 @@ package starlogo.solid
             _search.setMotion(motion);
             _separatingAxes.setTo(shape, _plane.cullDistance, motion);
             sweepExtents();
+            _search.visitMet(tree, BoxTree.EXACT, this);
+            motion.time = _firstImpact.time;
+            return _found;
         }
 
         private function sweepExtents():void

@@ -94,9 +94,9 @@ package starlogo.solid
         /**
          * Finds when triangles of two leaves first touch.
          *
-         * @param best receives the time and the indices of the two, if they are the first ones to touch so far
+         * @param out receives the time and the indices of the two, if they are the first ones to touch so far
          */
-        public function findEarlier(a:int, b:int, best:BestPair):void
+        public function findEarlier(a:int, b:int, out:ImpactTraversal):void
         {
             var first:int = _trees.a.firstPrimitive[a];
             var end:int = _trees.a.endPrimitive[a];
@@ -121,11 +121,10 @@ package starlogo.solid
                     {
                         if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
                         {
-                            best.a = indexA;
-                            best.b = _firstPlaced + i;
+                            out.firstA = indexA;
+                            out.firstB = _firstPlaced + i;
                         }
-                        best.time = _firstImpact.time;
-                        best.limit = _motion.latestTime;
+                        out.firstTime = _firstImpact.time;
                     }
                 }
             }
@@ -134,11 +133,10 @@ package starlogo.solid
         /**
          * Finds the closest points of the triangles of two leaves.
          *
-         * @param best receives the points and their distance, if they are nearer than those of the best pair so far
+         * @param points the closest ones so far, and their distance; receives those of the two leaves if they are closer
          */
-        public function findCloser(a:int, b:int, best:BestPair):void
+        public function findCloser(a:int, b:int, points:ClosestPoints):void
         {
-            var points:ClosestPoints = best.points;
             var count:int = placeTriangles(b);
             var end:int = _trees.a.endPrimitive[a];
             for (var i:int = 0; i < count && points.distance > 0; i++)
@@ -163,7 +161,6 @@ package starlogo.solid
                     }
                 }
             }
-            best.limit = points.distance;
         }
 
         // Places the triangles of a node of b in a's space, and returns their number. The node has no children: two such nodes do not begin with the

@@ -152,7 +152,8 @@ package starlogo.solid
             assertTrue(SurfaceTopology.read(bytesOf(1, 1, 0), 4) != null);
             assertTrue(SurfaceTopology.read(bytesOf(4, 4, 0.1), 4) != null);
             assertNull("more shells than triangles", SurfaceTopology.read(bytesOf(1, 5, 0), 4));
-            assertNull("more parts than triangles", SurfaceTopology.read(bytesOf(5, 1, 0), 4));
+            assertNull("more components than triangles", SurfaceTopology.read(bytesOf(5, 1, 0), 4));
+            assertNull("no component", SurfaceTopology.read(bytesOf(0, 1, 0), 4));
             assertNull(SurfaceTopology.read(bytesOf(1, -1, 0), 4));
             assertNull(SurfaceTopology.read(bytesOf(-1, 1, 0), 4));
             assertNull(SurfaceTopology.read(bytesOf(1, 1, -0.1), 4));
@@ -168,7 +169,7 @@ package starlogo.solid
             bytes.writeInt(shells);
             bytes.writeDouble(widestSeam);
             // runs: a number, and where it ends
-            for each (var number:int in [0, shells, 0, components, 1, 4])
+            for each (var number:int in components == 0 ? [0, shells, 1, 4] : [0, shells, 0, components, 1, 4])
             {
                 bytes.writeInt(number);
             }

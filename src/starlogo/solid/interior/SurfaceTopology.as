@@ -98,7 +98,7 @@ package starlogo.solid.interior
             var components:int = bytes.readInt();
             var shells:int = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            if (!(shells >= 0 && shells <= triangleCount && components >= 0 && components <= triangleCount
+            if (!(shells >= 0 && shells <= triangleCount && components >= Math.min(1, triangleCount) && components <= triangleCount
                         && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
             {
                 return null;

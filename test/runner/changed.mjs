@@ -51,7 +51,7 @@ function properties() {
 	writeFileSync(join(out, "classes.json"), JSON.stringify(classes));
 	writeFileSync(found, JSON.stringify(now));
 	console.log(`translated anew: ${classes.length <= 8 ? classes.join(", ") : `${classes.length} classes`}`);
-	return `classes=${classes.join(",")}\n${classes.every((qname) => isOfEngine(now, qname)) ? `engine=${copySources(now, classes)}\n` : ""}`;
+	return `classes=${classes.join(",")}\n${classes.every((qname) => isOfEngine(now, qname)) ? `engine=${copySources(now, classes, isTranslated)}\n` : ""}`;
 }
 
 function isOfEngine(now, qname) {
@@ -59,13 +59,14 @@ function isOfEngine(now, qname) {
 }
 
 /**
- * Copies the sources of some classes, of those that have to be there before them, as their last translations say, of those that only their
- * packages see, and the texts that sources include. Notes what classes can see of the engine's. Returns the copies' folder.
+ * Copies the sources of some classes, of those that they may be the first to use, of those that have to be there before them, as their last
+ * translations say, of those that only their packages see, and the texts that sources include. Notes what classes can see of the engine's.
+ * Returns the copies' folder.
  */
-function copySources(now, classes) {
+function copySources(now, classes, isTranslated) {
 	const names = Object.keys(now.files).filter((qname) => isOfEngine(now, qname)).sort();
 	const isInternal = (qname) => /^ {4}internal /m.test(readFileSync(join(ROOT, now.files[qname].file), "utf8"));
-	const copied = new Set(classes);
+	const copied = new Set([...classes, ...names.filter((qname) => !isTranslated(qname))]);
 	for (const qname of copied) {
 		const file = compiledFile(transpiled, qname);
 		const required = existsSync(file) ? readFileSync(file, "utf8").matchAll(/^goog\.require\('([^']*)'\)/gm) : [];

@@ -6,10 +6,14 @@
  * node test/runner/changed.mjs TRANSPILED OUT [--keep]
  *
  * TRANSPILED is a translation of all classes, with its sources noted. OUT gets a main class for the compiler, and changed.properties:
- * whole, if all classes have to be compiled; otherwise classes, those to compile, if there are any. If these are the engine's alone, it has
- * engine too, and OUT/src gets their sources: the compiler takes the others from a SWC, in a quarter of the time. The file outlines.json
- * beside OUT changes when that SWC has to. If all classes have to be compiled, TRANSPILED is marked as not done. With --keep the classes in OUT have been compiled, and TRANSPILED gets them in place of its own, without those
- * that are gone: the next run finds only what changed since.
+ *
+ *   whole    if all classes have to be compiled. TRANSPILED is marked as not done then
+ *   classes  otherwise, those to compile, if there are any
+ *   engine   if these are the engine's alone, a folder with their sources: the compiler takes the others from a SWC, in a quarter of the
+ *            time. The file outlines.json beside OUT changes when that SWC has to
+ *
+ * With --keep the classes in OUT have been compiled, and TRANSPILED gets them in place of its own, without those that are gone: the next
+ * run finds only what changed since.
  */
 import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";

@@ -72,10 +72,9 @@ function copySources(now, classes, isTranslated) {
 	const isInternal = (qname) => /^ {4}internal /m.test(readFileSync(join(ROOT, now.files[qname].file), "utf8"));
 	const copied = new Set([...classes, ...names.filter((qname) => !isTranslated(qname))]);
 	for (const qname of copied) {
-		const file = compiledFile(transpiled, qname);
-		const required = existsSync(file) ? readFileSync(file, "utf8").matchAll(/^goog\.require\('([^']*)'\)/gm) : [];
-		for (const [, name] of required) if (names.includes(name)) copied.add(name);
-		for (const name of names) if (packageOf(name) === packageOf(qname) && isInternal(name)) copied.add(name);
+		const text = isTranslated(qname) ? readFileSync(compiledFile(transpiled, qname), "utf8") : "";
+		const isNeeded = (name) => text.includes(`goog.require('${name}')`) || packageOf(name) === packageOf(qname) && isInternal(name);
+		for (const name of names) if (isNeeded(name)) copied.add(name);
 	}
 	const taken = new Set([...[...copied].map((qname) => now.files[qname].file), ...Object.keys(now.included)].map((file) => join(ROOT, file)));
 	const to = join(out, "src");

@@ -6,10 +6,14 @@
  * node test/runner/changed.mjs TRANSPILED OUT [--keep]
  *
  * TRANSPILED is a translation of all classes, with its sources noted. OUT gets a main class for the compiler, and changed.properties:
- * whole, if all classes have to be compiled; otherwise classes, those to compile, if there are any. If these are the engine's alone, it has
- * engine too, and OUT/src gets their sources: the compiler takes the others from a SWC, in a quarter of the time. The file outlines.json
- * beside OUT changes when that SWC has to. If all classes have to be compiled, TRANSPILED is marked as not done. With --keep the classes in OUT have been compiled, and TRANSPILED gets them in place of its own, without those
- * that are gone: the next run finds only what changed since.
+ *
+ *   whole    if all classes have to be compiled. TRANSPILED is marked as not done then
+ *   classes  otherwise, those to compile, if there are any
+ *   engine   if these are the engine's alone, a folder with their sources: the compiler takes the others from a SWC, in a quarter of the
+ *            time. The file outlines.json beside OUT changes when that SWC has to
+ *
+ * With --keep the classes in OUT have been compiled, and TRANSPILED gets them in place of its own, without those that are gone: the next
+ * run finds only what changed since.
  */
 import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -51,7 +55,7 @@ function properties() {
 	writeFileSync(join(out, "classes.json"), JSON.stringify(classes));
 	writeFileSync(found, JSON.stringify(now));
 	console.log(`translated anew: ${classes.length <= 8 ? classes.join(", ") : `${classes.length} classes`}`);
-	return `classes=${classes.join(",")}\n${classes.every((qname) => isOfEngine(now, qname)) ? `engine=${copySources(now, classes)}\n` : ""}`;
+	return `classes=${classes.join(",")}\n${classes.every((qname) => isOfEngine(now, qname)) ? `engine=${copySources(now, classes, isTranslated)}\n` : ""}`;
 }
 
 function isOfEngine(now, qname) {
@@ -59,18 +63,18 @@ function isOfEngine(now, qname) {
 }
 
 /**
- * Copies the sources of some classes, of those that have to be there before them, as their last translations say, of those that only their
- * packages see, and the texts that sources include. Notes what classes can see of the engine's. Returns the copies' folder.
+ * Copies the sources of some classes, of those that they may be the first to use, of those that have to be there before them, as their last
+ * translations say, of those that only their packages see, and the texts that sources include. Notes what classes can see of the engine's.
+ * Returns the copies' folder.
  */
-function copySources(now, classes) {
+function copySources(now, classes, isTranslated) {
 	const names = Object.keys(now.files).filter((qname) => isOfEngine(now, qname)).sort();
 	const isInternal = (qname) => /^ {4}internal /m.test(readFileSync(join(ROOT, now.files[qname].file), "utf8"));
-	const copied = new Set(classes);
+	const copied = new Set([...classes, ...names.filter((qname) => !isTranslated(qname))]);
 	for (const qname of copied) {
-		const file = compiledFile(transpiled, qname);
-		const required = existsSync(file) ? readFileSync(file, "utf8").matchAll(/^goog\.require\('([^']*)'\)/gm) : [];
-		for (const [, name] of required) if (names.includes(name)) copied.add(name);
-		for (const name of names) if (packageOf(name) === packageOf(qname) && isInternal(name)) copied.add(name);
+		const text = isTranslated(qname) ? readFileSync(compiledFile(transpiled, qname), "utf8") : "";
+		const isNeeded = (name) => text.includes(`goog.require('${name}')`) || packageOf(name) === packageOf(qname) && isInternal(name);
+		for (const name of names) if (isNeeded(name)) copied.add(name);
 	}
 	const taken = new Set([...[...copied].map((qname) => now.files[qname].file), ...Object.keys(now.included)].map((file) => join(ROOT, file)));
 	const to = join(out, "src");

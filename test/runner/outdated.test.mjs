@@ -110,21 +110,38 @@ test('of a class that is gone, is new or has another name, those that name it ar
 	assert.equal(outdatedWith({ 'a.More': 'more', 'a.Low': 'low with More' }), 'a.Low');
 });
 
-test('a translation loses the classes that are gone, when all that was outdated is made', () => {
+/** What changed.mjs says of a translation of the sources, which are noted as given. `check` gets the translation's parent folder. */
+function changedSince(noted, compiled, check) {
 	const folder = mkdtempSync(path.join(tmpdir(), 'changed-'));
-	const sources = readSources();
-	const put = (name, text) => {
-		mkdirSync(path.dirname(path.join(folder, name)), { recursive: true });
-		writeFileSync(path.join(folder, name), text);
-	};
-	put('tests/done', '');
-	put('tests/out/bin/js-debug/a/GoneTest.js', '');
-	put('tests/roots/sources.json', JSON.stringify({ ...sources, files: { ...sources.files, 'a.GoneTest': {} } }));
+	for (const [name, text] of [['done', ''], ['roots/sources.json', JSON.stringify(noted)], ...compiled.map((qname) => [`out/bin/js-debug/${qname.replaceAll('.', '/')}.js`, ''])]) {
+		const file = path.join(folder, 'tests', name);
+		mkdirSync(path.dirname(file), { recursive: true });
+		writeFileSync(file, text);
+	}
 	execFileSync(process.execPath, ['test/runner/changed.mjs', path.join(folder, 'tests'), path.join(folder, 'changed')], { cwd: root });
-	assert.equal(readFileSync(path.join(folder, 'changed/changed.properties'), 'utf8'), '');
-	assert.ok(!existsSync(path.join(folder, 'tests/out/bin/js-debug/a/GoneTest.js')));
-	assert.deepEqual(JSON.parse(readFileSync(path.join(folder, 'tests/roots/sources.json'), 'utf8')), sources);
+	check(folder, readFileSync(path.join(folder, 'changed/changed.properties'), 'utf8'));
 	rmSync(folder, { recursive: true });
+}
+
+test('a translation loses the classes that are gone, when all that was outdated is made', () => {
+	const sources = readSources();
+	changedSince({ ...sources, files: { ...sources.files, 'a.GoneTest': {} } }, ['a.GoneTest'], (folder, properties) => {
+		assert.equal(properties, '');
+		assert.ok(!existsSync(path.join(folder, 'tests/out/bin/js-debug/a/GoneTest.js')));
+		assert.deepEqual(JSON.parse(readFileSync(path.join(folder, 'tests/roots/sources.json'), 'utf8')), sources);
+	});
+});
+
+test('beside classes that changed, the compiler finds those that these may be the first to use, and takes others from the SWC', () => {
+	const sources = readSources();
+	const [changed, first] = ['starlogo.bounding.Box', 'starlogo.handlers.nameBreeds'];
+	const engine = Object.keys(sources.files).filter((qname) => sources.files[qname].file.startsWith('src/starlogo/') && qname !== first);
+	const files = { ...sources.files, [changed]: { ...sources.files[changed], hash: 'of another text' } };
+	changedSince({ ...sources, files }, engine, (folder, properties) => {
+		const isCopied = (qname) => existsSync(path.join(folder, 'changed/src', `${qname.replaceAll('.', '/')}.as`));
+		assert.match(properties, /^engine=/m);
+		assert.deepEqual([changed, first, 'starlogo.bounding.Sphere'].map(isCopied), [true, true, false]);
+	});
 });
 
 test('all classes are outdated if the compiler is called in another way', () => {

@@ -46,8 +46,9 @@ export function $nearestOption(key, names) {
 /** Whether a breed's or a model's name may be another one, misspelled. Names that differ in numbers alone are of different breeds. */
 export function $isProbablyMisspelt(name, other) {
 	if (name.length < 4 || name.replace(/\d+/g, "") === other.replace(/\d+/g, "")) return false;
-	// the first letter is seldom wrong
-	const mostChanges = Math.max(name.length, other.length) < 6 || name[0].toLowerCase() !== other[0].toLowerCase() ? 1 : 2;
+	// the first letter is seldom wrong: that of a reserved name is after its *
+	const hasSameFirst = other.toLowerCase().replace("*", "").startsWith(name[0].toLowerCase());
+	const mostChanges = Math.max(name.length, other.length) < 6 || !hasSameFirst ? 1 : 2;
 	return name.toLowerCase() === other.toLowerCase() || $changesBetween(name, other) <= mostChanges;
 }
 

@@ -42,7 +42,7 @@ package starlogo.collision
         /** @private It does not use the collider. */
         engine static const UNUSED:int = 0;
 
-        /** @private It uses the collider, but does not search with it and runs no handlers. */
+        /** @private It uses the collider, but neither searches nor runs handlers now: between frames, and while the filter runs. */
         engine static const IDLE:int = 1;
 
         /** @private It searches for the pairs of a frame. */

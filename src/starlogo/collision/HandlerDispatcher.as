@@ -28,13 +28,10 @@ package starlogo.collision
         private var _system:BaseCollider = null;
         private var _tracker:TouchTracker = null;
 
-        // The handlers of the present pair or ended touch; null before its calls begin.
+        // How far the calls of the present pair or ended touch are. If a handler throws, callAll comes back to the same pair, and resumes with the next
+        // handler. These are all handlers of the pair, or null before its calls begin; the index of the next one; and the one that runs, or null.
         private var _handlersOfPair:PairHandlers = null;
-
-        // The index of the next of these handlers. If a handler throws, the calls go on from here.
         private var _nextHandler:int;
-
-        // The handler that runs, or null.
         private var _running:CollisionHandler = null;
 
         // The number of handlers called.
@@ -100,28 +97,30 @@ package starlogo.collision
             }
         }
 
-        // Makes all calls: for the ended touches, then for chosen pairs. Null stands for all pairs. After an error the calls go on where they were, with the
-        // next handler. The try is around the loops and not around each call, because a method with a try makes an object for each of its calls in
-        // Adobe's VM, and takes longer than most handlers.
+        // Makes all calls: for the ended touches, then for chosen pairs. Null stands for all pairs. The try is around the loop and not around each call,
+        // because a method with a try makes an object for each of its calls in Adobe's VM, and takes longer than most handlers. So an error leaves the loop,
+        // which then comes back to the same pair.
         private function callAll(chosen:IntList, errors:Vector.<Error>):void
         {
             var endedCount:int = _tracker.endedCount;
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
-            var ended:int = 0;
+            var end:int = endedCount + pairCount;
             var i:int = 0;
             _handlersOfPair = null;
-            while (ended < endedCount || i < pairCount)
+            while (i < end)
             {
                 try
                 {
-                    for (; ended < endedCount; ended++)
+                    for (; i < end; i++)
                     {
-                        callForEnded(_tracker.endedAt(ended));
-                        _handlersOfPair = null;
-                    }
-                    for (; i < pairCount; i++)
-                    {
-                        callForPair(chosen == null ? i : chosen.values[i]);
+                        if (i < endedCount)
+                        {
+                            callForEnded(_tracker.endedAt(i));
+                        }
+                        else
+                        {
+                            callForPair(chosen == null ? i - endedCount : chosen.values[i - endedCount]);
+                        }
                         _handlersOfPair = null;
                     }
                 }
@@ -148,13 +147,14 @@ package starlogo.collision
 
         private function callForEnded(touch:Touch):void
         {
-            ensureHandlers(touch.firstBreed, touch.secondBreed);
+            beginOrResume(touch.firstBreed, touch.secondBreed);
             var end:int = touch.hasReachedSecond ? _handlersOfPair.handlers.length : _handlersOfPair.splitIndex;
             callRemaining(NO_PAIR, touch.first, touch.second, CollisionHandler.END, end);
         }
 
-        // Finds the handlers of a pair or ended touch, unless an error has interrupted its calls. The breeds count as they are when the calls begin.
-        private function ensureHandlers(firstBreed:int, secondBreed:int):void
+        // Begins the calls of a pair or ended touch with its first handler, or resumes them after an error: then the handlers and the next one stay, even if
+        // a handler has changed a breed.
+        private function beginOrResume(firstBreed:int, secondBreed:int):void
         {
             if (_handlersOfPair == null)
             {
@@ -167,7 +167,7 @@ package starlogo.collision
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            ensureHandlers(first.breedNumber, second.breedNumber);
+            beginOrResume(first.breedNumber, second.breedNumber);
             var end:int = _handlersOfPair.handlers.length;
             if (!_handlersOfPair.tracksTouches)
             {

@@ -1,16 +1,13 @@
 package starlogo.handlers
 {
     /**
-     * The handlers that a game has added for just two breeds, the first one as the collider. They are in the order in which they were added. It also has
-     * what a frame calls for two agents of these breeds.
+     * The handlers that a game has added for just two breeds, one as the collider and one as the collidee. They are in the order in which they were
+     * added.
      *
      * @private
      */
     public final class HandlerList
     {
-        /** What the frame calls for a first and a second agent of these breeds; null if such agents have not met yet. The HandlerTable sets it. */
-        internal var ofFrame:PairHandlers = null;
-
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
         // How many of the first handlers are removed. The others are not. These stay in their places, so that it takes no longer to remove many handlers

@@ -29,9 +29,12 @@ package starlogo.handlers
 
         private static const NONE:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
-        // A list for each two breeds that have handlers, or that agents of a pair had since the handlers changed; and its index by their numbers.
-        private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
+        // Of each two breeds that have handlers, or that agents of a pair had since the handlers changed: the index by their numbers; at this index, the
+        // handlers that were added for the first one as the collider; and what the frame calls for a first and a second agent of these breeds, or null if
+        // such agents have not met since.
         private var _indices:IntPairMap = new IntPairMap();
+        private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
+        private var _pairHandlers:Vector.<PairHandlers> = new Vector.<PairHandlers>();
 
         // Counts the changes of the handlers.
         private var _revision:int = 0;
@@ -53,7 +56,7 @@ package starlogo.handlers
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
             }
-            listFor(handler.colliderBreed, handler.collideeBreed).add(handler);
+            _lists[indexFor(handler.colliderBreed, handler.collideeBreed)].add(handler);
             _revision++;
         }
 
@@ -96,12 +99,13 @@ package starlogo.handlers
                 list.appendTo(handlers, _revision);
             }
             _lists.length = 0;
+            _pairHandlers.length = 0;
             _indices.clear();
             interests = new BreedInterests();
             var newNames:Vector.<String> = new Vector.<String>();
             for each (var handler:CollisionHandler in handlers)
             {
-                listFor(handler.colliderBreed, handler.collideeBreed).add(handler);
+                _lists[indexFor(handler.colliderBreed, handler.collideeBreed)].add(handler);
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
                 if (handler.addedAt >= _frameRevision)
                 {
@@ -121,12 +125,12 @@ package starlogo.handlers
          */
         public function handlersOf(firstBreed:int, secondBreed:int):PairHandlers
         {
-            var list:HandlerList = listFor(firstBreed, secondBreed);
-            if (list.ofFrame == null)
+            var index:int = indexFor(firstBreed, secondBreed);
+            if (_pairHandlers[index] == null)
             {
-                list.ofFrame = new PairHandlers(collect(firstBreed, secondBreed), collect(secondBreed, firstBreed));
+                _pairHandlers[index] = new PairHandlers(collect(firstBreed, secondBreed), collect(secondBreed, firstBreed));
             }
-            return list.ofFrame;
+            return _pairHandlers[index];
         }
 
         /** Returns the handlers of the breeds that the agents of a found pair have now. */
@@ -174,16 +178,17 @@ package starlogo.handlers
             return Breeds.isEnvironment(breed) ? [breed] : [breed, Breeds.ANY_NUMBER];
         }
 
-        // The list for just two breeds, by their numbers; a new one if there is none.
-        private function listFor(colliderBreed:int, collideeBreed:int):HandlerList
+        // The index of two breeds, by their numbers; a new one, with an empty list, if there is none.
+        private function indexFor(firstBreed:int, secondBreed:int):int
         {
-            var list:HandlerList = findList(colliderBreed, collideeBreed);
-            if (list == null)
+            var index:int = _indices.find(firstBreed, secondBreed);
+            if (index < 0)
             {
-                list = new HandlerList();
-                _indices.set (colliderBreed, collideeBreed, _lists.push(list) - 1);
+                index = _lists.push(new HandlerList()) - 1;
+                _pairHandlers.push(null);
+                _indices.set (firstBreed, secondBreed, index);
             }
-            return list;
+            return index;
         }
 
         // The list for just two breeds; null if there is none.

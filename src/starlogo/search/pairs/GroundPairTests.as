@@ -87,12 +87,6 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            queryOf(a, b).findContact(motion, out);
-        }
-
-        /** @inheritDoc */
         override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             queryOf(a, b).findImpactOfSurfaces(motion, out);
@@ -109,10 +103,16 @@ package starlogo.search.pairs
             }
         }
 
-        /** @inheritDoc */
-        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        /** A point of the body that is under the ground shows a touch. @inheritDoc */
+        override protected function showsTouch(a:Body, b:Body, contact:ContactPoint):Boolean
         {
-            _penetrationSearch.separate(a, b, motion, out);
+            return contact.exitBound > depthToleranceOf(a, b);
+        }
+
+        /** @inheritDoc */
+        override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            queryOf(a, b).findContact(motion, out);
         }
 
         /**
@@ -125,10 +125,16 @@ package starlogo.search.pairs
             queryOf(a, b).penetration.findLift(out);
         }
 
-        /** A point of the body that is under the ground shows a touch. @inheritDoc */
-        override protected function showsTouch(a:Body, b:Body, contact:ContactPoint):Boolean
+        /** @inheritDoc */
+        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            return contact.exitBound > depthToleranceOf(a, b);
+            _penetrationSearch.separate(a, b, motion, out);
+        }
+
+        /** @inheritDoc */
+        override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            queryOf(a, b).findClosest(areTouching, out);
         }
 
         /** @inheritDoc */
@@ -142,12 +148,6 @@ package starlogo.search.pairs
         override public function largestExtentOf(a:Body, b:Body):Number
         {
             return Math.max(CELL_SHARE * gridOf(b).cellWidth, 2 * a.maxHalf);
-        }
-
-        /** @inheritDoc */
-        override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
-        {
-            queryOf(a, b).findClosest(areTouching, out);
         }
 
         private static function gridOf(ground:Body):HeightGrid

@@ -1,10 +1,15 @@
 // This folder tests two bodies, by a class for each kind of pairs, all with the same methods: SpherePairTests, StructurePairTests and TreePairTests
 // for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world. SupportSearch finds how far a body reaches.
-// Read this file first, then StructurePairTests, the shortest one. Its methods for motions differ if the two touch where the motion begins:
-// - findFirstTouch: the time 0, and the contact there.
-// - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch, also if one is inside of the other.
-// - findImpactOfSolids: the same, but the time 0 if one is inside of the other.
-// Otherwise all find the first touch. Only findFirstTouch finds one that rounding hides at the end of a motion far shorter than they are.
+// Read this file first, then StructurePairTests, the shortest one. The methods, in the order of this file:
+// - Verdict: areTouching.
+// - Sweeps, which find the first touch on a motion. Only findFirstTouch finds one that rounding hides at the end of a motion far shorter than the
+//   two are. The sweeps differ if the two touch where the motion begins:
+//   - findFirstTouch: the time 0, and the contact there.
+//   - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch, also if one is inside of the other.
+//   - findImpactOfSolids: the same, but the time 0 if one is inside of the other.
+// - Contacts: findContact is that of the two where they are. It begins with findContactOfParts, and separate makes it one that separates the two.
+//   findContactOfCovers is that of larger shapes, with which the search for a push begins.
+// - Distances: findClosest. Then the tolerances of all these.
 package starlogo.search.pairs
 {
     import flash.errors.IllegalOperationError;
@@ -55,6 +60,28 @@ package starlogo.search.pairs
         public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             throw new IllegalOperationError(this + " does not implement findFirstTouch");
+        }
+
+        /**
+         * Finds the time and the contact of the first touch of two bodies that do not touch at the beginning of the motion. If they do, it is either
+         * the beginning, or the first moment at which their surfaces touch.
+         *
+         * @param motion as in findFirstTouch. But a touch that rounding errors hide at its end may be missing
+         * @param out receives the contact, as in findContactOfParts; null if only the time is needed
+         */
+        public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            findFirstTouch(a, b, motion, out);
+        }
+
+        /**
+         * Does what findImpactOfSurfaces() does, but if one body is inside of the other where the motion begins, the time is 0, and the contact's normal 0.
+         *
+         * @param out must not be null
+         */
+        public function findImpactOfSolids(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            findImpactOfSurfaces(a, b, motion, out);
         }
 
         /** Finds the contact for <code>findFirstTouch()</code>, if the two touch and it is needed. The motion has the time. */
@@ -126,49 +153,24 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the time and the contact of the first touch of two bodies that do not touch at the beginning of the motion. If they do, it is either
-         * the beginning, or the first moment at which their surfaces touch.
-         *
-         * @param motion as in findFirstTouch. But a touch that rounding errors hide at its end may be missing
-         * @param out receives the contact, as in findContactOfParts; null if only the time is needed
+         * Finds the contact of convex covers of two bodies, where they are. A push out of the covers leads out of the bodies too. Convex bodies are
+         * their own covers.
          */
-        public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
-            findFirstTouch(a, b, motion, out);
+            findContactOfParts(a, b, RelativeMotion.NONE, out);
         }
 
         /**
-         * Does what findImpactOfSurfaces() does, but if one body is inside of the other where the motion begins, the time is 0, and the contact's normal 0.
+         * Changes a contact of parts so that it separates two bodies: if the first one moves along the normal by the depth, the two just
+         * touch. Most contacts of parts do this already, and only the point moves, to the middle of the overlap.
          *
-         * @param out must not be null
+         * @param motion as in findFirstTouch, with the time at which the two touch
+         * @param out the contact of two parts that touch at that time
          */
-        public function findImpactOfSolids(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            findImpactOfSurfaces(a, b, motion, out);
-        }
-
-        /** The gap across which two bodies touch because their places are rounded. */
-        public function marginOf(a:Body, b:Body):Number
-        {
-            return a.margin + b.margin;
-        }
-
-        /** The largest extent of the two, which tolerances of a push are fractions of. It is 0 for two points. */
-        public function largestExtentOf(a:Body, b:Body):Number
-        {
-            return 2 * Math.max(a.maxHalf, b.maxHalf);
-        }
-
-        /** How far a depth may be off, in patches: Tolerances.SEPARATION of the largest extent. Far from the origin, rounding decides instead. */
-        public function depthToleranceOf(a:Body, b:Body):Number
-        {
-            return toleranceOf(a, b, Tolerances.SEPARATION);
-        }
-
-        // A fraction of the largest extent in patches, but not less than the rounding of places.
-        private function toleranceOf(a:Body, b:Body, fraction:Number):Number
-        {
-            return Math.max(fraction * largestExtentOf(a, b), MIN_MARGINS * marginOf(a, b));
+            OverlapMiddle.movePoint(a, b, out);
         }
 
         /**
@@ -194,25 +196,28 @@ package starlogo.search.pairs
             throw new IllegalOperationError(this + " does not implement findClosestInOrder");
         }
 
-        /**
-         * Finds the contact of convex covers of two bodies, where they are. A push out of the covers leads out of the bodies too. Convex bodies are
-         * their own covers.
-         */
-        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
+        /** The gap across which two bodies touch because their places are rounded. */
+        public function marginOf(a:Body, b:Body):Number
         {
-            findContactOfParts(a, b, RelativeMotion.NONE, out);
+            return a.margin + b.margin;
         }
 
-        /**
-         * Changes a contact of parts so that it separates two bodies: if the first one moves along the normal by the depth, the two just
-         * touch. Most contacts of parts do this already, and only the point moves, to the middle of the overlap.
-         *
-         * @param motion as in findFirstTouch, with the time at which the two touch
-         * @param out the contact of two parts that touch at that time
-         */
-        public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        /** The largest extent of the two, which tolerances of a push are fractions of. It is 0 for two points. */
+        public function largestExtentOf(a:Body, b:Body):Number
         {
-            OverlapMiddle.movePoint(a, b, out);
+            return 2 * Math.max(a.maxHalf, b.maxHalf);
+        }
+
+        /** How far a depth may be off, in patches: Tolerances.SEPARATION of the largest extent. Far from the origin, rounding decides instead. */
+        public function depthToleranceOf(a:Body, b:Body):Number
+        {
+            return toleranceOf(a, b, Tolerances.SEPARATION);
+        }
+
+        // A fraction of the largest extent in patches, but not less than the rounding of places.
+        private function toleranceOf(a:Body, b:Body, fraction:Number):Number
+        {
+            return Math.max(fraction * largestExtentOf(a, b), MIN_MARGINS * marginOf(a, b));
         }
     }
 }

@@ -38,7 +38,7 @@ package starlogo.search.pairs
         private var _treeAndStructure:TreeStructureQuery;
         private var _penetrationSearch:PenetrationSearch;
 
-        // The motion of the second body while the first one stands still.
+        // The motion of the second body while the first one stands still: for a question in the reverse order.
         private var _reversed:RelativeMotion = new RelativeMotion();
 
         // The second body in the first one's space, for the contact of the structures around them.
@@ -69,76 +69,44 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            if (a.comesAfter(b))
-            {
-                return areTouching(b, a);
-            }
             _counts.pairTests++;
-            return queryOf(a, b).areTouching();
+            return queryOf(a, b, a.comesAfter(b)).areTouching();
         }
 
         /** @inheritDoc */
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (a.comesAfter(b))
-            {
-                _reversed.setReversed(motion);
-                findFirstTouch(b, a, _reversed, out);
-                finishReversed(motion, out);
-                return;
-            }
+            var isReversed:Boolean = a.comesAfter(b);
             _counts.pairTests++;
-            queryOf(a, b).findFirstTouch(motion, out);
+            queryOf(a, b, isReversed).findFirstTouch(inOrder(motion, isReversed), out);
+            finish(motion, isReversed, out);
+        }
+
+        /** @inheritDoc */
+        override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var isReversed:Boolean = a.comesAfter(b);
+            _counts.pairTests++;
+            queryOf(a, b, isReversed).findImpactOfSurfaces(inOrder(motion, isReversed), out);
+            finish(motion, isReversed, out);
+        }
+
+        /** @inheritDoc */
+        override public function findImpactOfSolids(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var isReversed:Boolean = a.comesAfter(b);
+            _counts.pairTests++;
+            queryOf(a, b, isReversed).findImpactOfSolids(inOrder(motion, isReversed), out);
+            finish(motion, isReversed, out);
         }
 
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             // Two trees stay in this order. CollisionSearch.findContact puts two agents into the order of the list before, so a contact is the same in either order.
-            if (a.kind != ModelShape.TREE)
-            {
-                _reversed.setReversed(motion);
-                findContactOfParts(b, a, _reversed, out);
-                finishReversed(motion, out);
-                return;
-            }
-            queryOf(a, b).findContact(motion, out);
-        }
-
-        /** @inheritDoc */
-        override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            if (a.comesAfter(b))
-            {
-                _reversed.setReversed(motion);
-                findImpactOfSurfaces(b, a, _reversed, out);
-                finishReversed(motion, out);
-                return;
-            }
-            _counts.pairTests++;
-            queryOf(a, b).findImpactOfSurfaces(motion, out);
-        }
-
-        /** @inheritDoc */
-        override public function findImpactOfSolids(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            if (a.comesAfter(b))
-            {
-                _reversed.setReversed(motion);
-                findImpactOfSolids(b, a, _reversed, out);
-                finishReversed(motion, out);
-                return;
-            }
-            _counts.pairTests++;
-            queryOf(a, b).findImpactOfSolids(motion, out);
-        }
-
-        /** @inheritDoc */
-        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            // the contact's object may have been that of a contact with the ground
-            out.forgetDeepest();
-            _penetrationSearch.separate(a, b, motion, out);
+            var isReversed:Boolean = a.kind != ModelShape.TREE;
+            queryOf(a, b, isReversed).findContact(inOrder(motion, isReversed), out);
+            finish(motion, isReversed, out);
         }
 
         /** The covers are the structures around the trees. @inheritDoc */
@@ -150,9 +118,17 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
+        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            // the contact's object may have been that of a contact with the ground
+            out.forgetDeepest();
+            _penetrationSearch.separate(a, b, motion, out);
+        }
+
+        /** @inheritDoc */
         override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            queryOf(a, b).findClosest(areTouching, out);
+            queryOf(a, b, false).findClosest(areTouching, out);
         }
 
         /**
@@ -170,25 +146,41 @@ package starlogo.search.pairs
             return _treeAndStructure.findNearestTriangle();
         }
 
-        // Finishes a question that was asked in the reverse order: copies the time to the given motion, and swaps the contact if there is one.
-        private function finishReversed(motion:RelativeMotion, out:ContactPoint):void
+        // Returns the question about two bodies, or about the two in the reverse order, of which the first one is a tree. The next call overwrites it.
+        private function queryOf(a:Body, b:Body, isReversed:Boolean):TreeQuery
         {
-            motion.time = _reversed.time;
-            if (out != null && motion.time != RelativeMotion.NEVER)
+            var first:Body = isReversed ? b : a;
+            var second:Body = isReversed ? a : b;
+            var tree:ModelTree = first.shape.tree;
+            if (second.shape.tree != null)
             {
-                out.swap(motion);
+                return _trees.setTo(tree, first.placement, _limits.depthOf(first), second.shape.tree, second.placement, _limits.depthOf(second));
             }
+            return _treeAndStructure.setTo(tree, first.placement, _limits.depthOf(first), second.shape.structure, second.placement);
         }
 
-        // Returns the question about two bodies that the next call overwrites. The first one is a tree.
-        private function queryOf(a:Body, b:Body):TreeQuery
+        // Returns the motion for this question: that of its first body relative to its second.
+        private function inOrder(motion:RelativeMotion, isReversed:Boolean):RelativeMotion
         {
-            var tree:ModelTree = a.shape.tree;
-            if (b.shape.tree != null)
+            if (isReversed)
             {
-                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.tree, b.placement, _limits.depthOf(b));
+                _reversed.setReversed(motion);
+                return _reversed;
             }
-            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement);
+            return motion;
+        }
+
+        // Finishes this question: after the reverse order, copies the time to the given motion, and swaps the contact if there is one.
+        private function finish(motion:RelativeMotion, isReversed:Boolean, out:ContactPoint):void
+        {
+            if (isReversed)
+            {
+                motion.time = _reversed.time;
+                if (out != null && motion.time != RelativeMotion.NEVER)
+                {
+                    out.swap(motion);
+                }
+            }
         }
     }
 }

@@ -467,6 +467,7 @@ test("while a game is developed, an error about a value in a literal names the c
 	for (const rays of [queries, new AgentRays(new SeenAgents(collision))]) {
 		for (const call of ["cast", "castAll"]) {
 			refused(() => rays[call](new engine.Vector3D(), { x: 0, y: 0, z: 0 }), `${rays.constructor.name}.${call}: direction must not be 0`);
+			refused(() => rays[call](new engine.Vector3D(), { x: 1, y: 0, z: 0 }, NaN), `${rays.constructor.name}.${call}: maxDistance must be 0 or more, not NaN`);
 			refused(() => rays[call](new engine.Vector3D(), { x: 0, y: Infinity, z: 0 }), `${rays.constructor.name}.${call}: direction must be finite, not (0, Infinity, 0)`);
 			refused(() => rays[call]({ x: 0, y: NaN, z: 0 }, { x: 0, y: 0, z: 1 }), `${rays.constructor.name}.${call}: origin.y must be a finite number, not NaN`);
 		}

@@ -474,7 +474,7 @@ test("while a game is developed, angles in radians are warned of, once, and angl
 		assert.deepEqual(run(angles, turning, "starlogo-collision.min.js"), []);
 	}
 	const [cone, ...others] = run("[Math.PI / 3, Math.PI / 2]", seeing);
-	assert.match(cone, /^starlogo-collision: inCone\(\) takes the cone's full angle in degrees\. 1\.05 is a part of π: .* here 60$/);
+	assert.match(cone, /^starlogo-collision: inCone\(\) takes an angle in degrees\. 1\.05 is a part of π: .* here 60$/);
 	assert.deepEqual(others, []);
 	assert.deepEqual(run("[0, 1, 2, 3, 6, 60, 90, 180, 360, Infinity]", seeing), []);
 	for (const degrees of ["[90, 180, 3, -3, 0.5]", many("5 * Math.sin(i)"), many("10 * Math.sin(i)"), many("i % 7"), many("i % 360 - 180"), many("0.01 * i"), many("Math.atan2(Math.sin(i), Math.cos(i)) * 180 / Math.PI")]) assert.deepEqual(run(degrees), [], degrees);

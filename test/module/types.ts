@@ -317,6 +317,17 @@ typedQueries.walk(agent, 1, 0, { filter: { breeds: ["coins"] } });
 typedQueries.walk(agent, 1, 0, { filter: { breeds: ["coin"] } });
 // @ts-expect-error there is no such breed
 typedQueries.countNear(agent, 3, { breeds: ["coin"] });
+// those that do not count are named alike, and say nothing of what is found
+const exceptCoins = typedQueries.near(agent, 3, { exceptBreeds: ["coins", Collision.TERRAIN] });
+is<Same<typeof exceptCoins, (Hero | Coin)[]>>();
+const exceptHeroes = typedQueries.near(agent, 3, { breeds: ["coins"], exceptBreeds: ["heroes"] });
+is<Same<typeof exceptHeroes, Coin[]>>();
+typedQueries.near(agent, 3, { exceptBreeds: breeds });
+// @ts-expect-error there is no such breed
+typedQueries.near(agent, 3, { exceptBreeds: ["coin"] });
+typedQueries.walk(agent, 1, 0, { filter: { exceptBreeds: ["coins"] } });
+// @ts-expect-error no breed of the game
+typedQueries.walk(agent, 1, 0, { filter: { exceptBreeds: ["coin"] } });
 // @ts-expect-error a coin is no hero
 typedQueries.near(agent, 3, { breeds: ["coins"] }, onlyHeroes);
 const ofNoClasses: AgentQueries = typedQueries;

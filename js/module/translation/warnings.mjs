@@ -42,7 +42,6 @@ const WARNINGS = new Map([
 	...["AgentQueries", "AgentRays"].flatMap((name) => ["cast", "castAll"].map((method) => [`queries.${name}.${method}`, [
 		`$refuseNoRay("${name}.${method}", origin, direction);`,
 	]])),
-	["queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
 ].map(([name, statements]) => [`starlogo.${name}`, statements]));
 
 /** Classes whose settings are set after the constructor. */
@@ -50,6 +49,9 @@ const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.(?:Collision|Contact)|quer
 
 /** Classes whose methods with a filter are questions about a SeenAgents. */
 const ASKING = /^starlogo\.queries\.Agent(?:Places|Queries|Rays)$/;
+
+/** The numbers of a question that may be negative: all others are refused then. */
+const COORDINATES = /^d?[xyz]$/;
 
 /** The angles that an agent is turned by. */
 const ANGLES = /^starlogo\.agents\.Agent\.(?:heading|pitch|roll)$/;
@@ -60,7 +62,14 @@ export function warningsOf(qname, name, kind, parameters) {
 	if (kind === "set" && ANGLES.test(`${qname}.${name}`)) return [`$warnOfAngle(this, "${name}", value);`];
 	if (kind !== "method") return [];
 	const isQuestion = ASKING.test(qname) && parameters.some(({ type }) => /^(?:AgentFilter|WalkOptions)$/.test(type));
-	return [...isQuestion ? ["$warnOfStale(this._seen, null, null);"] : [], ...warningsOfMember(qname, name)];
+	const ofAngle = parameters.some((each) => each.name === "degrees") ? [`$warnOfDegrees("${name}", degrees);`] : [];
+	return [...isQuestion ? warningsOfQuestion(qname, name, parameters) : [], ...ofAngle, ...warningsOfMember(qname, name)];
+}
+
+function warningsOfQuestion(qname, name, parameters) {
+	const numbers = parameters.filter((each) => /^(?:Number|int)$/.test(each.type) && !COORDINATES.test(each.name)).map((each) => each.name);
+	const call = `${qname.split(".").at(-1)}.${name}`;
+	return ["$warnOfStale(this._seen, null, null);", ...numbers.map((number) => `$refuseNegative("${call}: ${number}", ${number});`)];
 }
 
 /** What a method, or a setting that gets another value, says then. */

@@ -48,13 +48,15 @@ export type Handler<ColliderAgent extends Agent = Agent, CollideeAgent extends A
 
 /**
  * What is taken for an AgentFilter: one, or a literal with some of its properties. The second type is the class of an `accepts` that is a type guard, the
- * third one the names in `breeds`.
+ * third one the names in `breeds`, the last one those in `exceptBreeds`.
  */
-export interface AgentFilterInit<GameAgent extends Agent = Agent, FoundAgent extends GameAgent = GameAgent, Name extends string = string> {
+export interface AgentFilterInit<
+	GameAgent extends Agent = Agent, FoundAgent extends GameAgent = GameAgent, Name extends string = string, ExceptName extends string = string
+> {
 	/** Only agents of these breeds count. If the list is empty, no agent counts. */
 	breeds?: readonly Name[] | null | undefined;
 	/** Agents of these breeds do not count. */
-	exceptBreeds?: readonly string[] | null | undefined;
+	exceptBreeds?: readonly ExceptName[] | null | undefined;
 	/** These agents do not count. Null among them is nobody. */
 	except?: readonly (Agent | null | undefined)[] | null | undefined;
 	/** Returns true if an agent counts. It is called last, for as few agents as the answer needs: see {@link AgentFilter.accepts}. */
@@ -62,8 +64,8 @@ export interface AgentFilterInit<GameAgent extends Agent = Agent, FoundAgent ext
 }
 
 /** What is taken for WalkOptions: an object of this class, or a literal with some of its properties. */
-export type WalkOptionsInit<GameAgent extends Agent = Agent, Name extends string = string> = {
-	[Key in keyof WalkOptions]?: (Key extends "filter" ? AgentFilterInit<GameAgent, GameAgent, Name> | null : WalkOptions[Key]) | undefined;
+export type WalkOptionsInit<GameAgent extends Agent = Agent, Name extends string = string, ExceptName extends string = string> = {
+	[Key in keyof WalkOptions]?: (Key extends "filter" ? AgentFilterInit<GameAgent, GameAgent, Name, ExceptName> | null : WalkOptions[Key]) | undefined;
 };
 
 /** The agents of a game, for their class or for the classes of its breeds: `{ heroes: Hero; coins: Coin }`. Of `object` nothing is known. */
@@ -76,7 +78,7 @@ export type BreedOf<Breeds> = Breeds extends Agent ? string : (keyof Breeds & st
 export type AgentOf<Breeds, Name> = Name extends "*terrain" | "*edge" ? Agent : Breeds extends Agent ? Breeds
 	: Name extends keyof Breeds ? Extract<Breeds[Name], Agent> : Name extends "*" ? AgentsOf<Breeds> : Agent;
 
-/** A name in a filter's `breeds`. A name that the compiler knows has to be one of the game's breeds, if their classes are known. */
+/** A name in a filter's `breeds` or `exceptBreeds`. A name that the compiler knows has to be one of the game's breeds, if their classes are known. */
 export type NamedBreed<Breeds, Name extends string> = string extends Name ? Name : [Name] extends [BreedOf<Breeds>] ? Name : BreedOf<Breeds>;
 
 /** What a question finds: agents of a class, and if the compiler knows the names in the filter's `breeds`, only those of these breeds. */

@@ -40,6 +40,9 @@ const OF_ENGINE = /\bdo not change it\b|\bread only\b/i;
 /** What the documentation says of a field that its type says is there. */
 const NULL_IF_EMPTY = /\bnull only in an empty hit\b/;
 
+/** What the documentation says of a method that has another name now. */
+const OLDER_NAME = /^An older name of <code>(\w+)\(\)<\/code>/;
+
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
@@ -55,15 +58,13 @@ const OF_BREEDS = "<Breeds extends Agent | { [Name in keyof Breeds]: Agent } = A
 const PICKING = "<GameAgent extends Agent>";
 const NAMING = "Name extends BreedOf<Breeds> = BreedOf<Breeds>, OtherName extends BreedOf<Breeds> = BreedOf<Breeds>>";
 const HANDLING = `<ColliderAgent extends AgentOf<Breeds, Name>, CollideeAgent extends AgentOf<Breeds, OtherName>, ${NAMING}`;
-const FILTERING = "Name extends string = string>";
+const FILTERING = "Name extends string = string, ExceptName extends string = string>";
 const findingOf = (agent) => `<FoundAgent extends ${agent} = ${agent}, ${FILTERING}`;
 
 /** What a question finds, and its filter. */
 const FOUND = "Found<FoundAgent, Breeds, Name>";
-const filterOf = (agent, found) => `AgentFilterInit<${agent}, ${found}, NamedBreed<Breeds, Name>>`;
-
-/** Questions about places never find the ground. All others with a filter may. */
-const OF_PLACES = /^(?:n|countN)ear|^inCone$/;
+const FILTER_NAMES = "NamedBreed<Breeds, Name>, NamedBreed<Breeds, ExceptName>";
+const filterOf = (agent, found) => `AgentFilterInit<${agent}, ${found}, ${FILTER_NAMES}>`;
 
 /** An agent that such a question finds. */
 const OR_GROUND = "OrGround<GameAgent>";
@@ -188,7 +189,7 @@ class Writer {
 	#memberText(type, member) {
 		const isStatic = member.isStatic ? "static " : "";
 		const visible = member.isProtected ? "protected " : "";
-		this.#agent = this.#isGeneric(type) && !member.isStatic ? (this.#mayFindGround(member) ? OR_GROUND : "GameAgent") : "Agent";
+		this.#agent = this.#isGeneric(type) && !member.isStatic ? (this.#mayFindGround(type, member) ? OR_GROUND : "GameAgent") : "Agent";
 		const docs = docOf(type, member, this.#exported);
 		const takesLiteral = member.kind === "constructor" && TAKES_LITERAL.has(type.qname);
 		const text = docComment(takesLiteral ? `${docs}\n\n@param settings a literal with some of its properties` : withValues(docs, member), "\t");
@@ -227,8 +228,12 @@ class Writer {
 		}
 	}
 
-	#mayFindGround({ kind, name, parameters }) {
-		return kind === "method" && !OF_PLACES.test(name) && parameters.some(({ type }) => /^(?:AgentFilter|WalkOptions)$/.test(type));
+	/** Whether a member is a question with a filter that may find the ground: only those of AgentPlaces, by any of their names, never do. */
+	#mayFindGround(type, member) {
+		if (member.kind !== "method" || !member.parameters.some((parameter) => /^(?:AgentFilter|WalkOptions)$/.test(parameter.type))) return false;
+		const present = OLDER_NAME.exec(member.doc)?.[1];
+		const { doc } = type.members.find(({ name }) => name === present) ?? member;
+		return type.name !== "AgentPlaces" && !doc.includes("@copy AgentPlaces#");
 	}
 
 	/** The type parameters of a method itself. */
@@ -296,7 +301,7 @@ class Writer {
 			const isFinding = generic.startsWith("<FoundAgent ");
 			if (isFinding && type === "Vector.<Agent>") return `${name}?: Filled<${FOUND}> | null`;
 			if (generic.endsWith(FILTERING) && type === "AgentFilter") return `${name}?: ${filterOf(this.#agent, isFinding ? "FoundAgent" : this.#agent)} | null`;
-			if (generic.endsWith(FILTERING) && type === "WalkOptions") return `${name}?: WalkOptionsInit<${this.#agent}, NamedBreed<Breeds, Name>> | null`;
+			if (generic.endsWith(FILTERING) && type === "WalkOptions") return `${name}?: WalkOptionsInit<${this.#agent}, ${FILTER_NAMES}> | null`;
 			const text = this.#parameterType(parameter, this.#docsOf(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");

@@ -47,11 +47,11 @@ export function $warnOfUnits(options) {
 		+ `If these are radians, take ${Math.round($inDegrees(degrees))}`);
 }
 
-/** Warns of a cone's angle that is probably in radians. A cone of one degree or two may be meant, so only parts of π count. */
-export function $warnOfCone(degrees) {
+/** Warns of a call's angle that is probably in radians. A cone of one degree or two may be meant, so only parts of π count. */
+export function $warnOfDegrees(call, degrees) {
 	if (degrees === 0 || !$isPartOfTurn(degrees)) return;
-	$warn(`inCone() takes the cone's full angle in degrees. ${$rounded(degrees)} is a part of π: if this is in radians, `
-		+ `take degrees = angle * 180 / Math.PI, here ${$rounded($inDegrees(degrees))}`, "cone");
+	$warn(`${call}() takes an angle in degrees. ${$rounded(degrees)} is a part of π: if this is in radians, `
+		+ `take degrees = angle * 180 / Math.PI, here ${$rounded($inDegrees(degrees))}`, `degrees of ${call}`);
 }
 
 function $inDegrees(radians) {

@@ -36,6 +36,11 @@ export function $refuseNoAgent(call, agents) {
 	}
 }
 
+/** Refuses a number of a question that is negative or NaN, and names the call: the engine names the argument alone. */
+export function $refuseNegative(name, value) {
+	if (!(value >= 0)) throw new RangeError(`${name} must be 0 or more, not ${value}`);
+}
+
 /** Refuses a ray's origin or direction, and names the call. Texts are made for what is wrong alone, because games cast many rays. */
 export function $refuseNoRay(call, origin, direction) {
 	if (!$isFinitePoint(origin)) for (const name of ["x", "y", "z"]) $aFiniteNumber(`${call}: origin.${name}`, origin[name]);

@@ -45,9 +45,9 @@ package starlogo.ground
         private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
         private var _foundCount:int = 0;
 
-        // Whether they are kept, until fewer nodes are left than when the search began.
+        // Whether they are kept for all pieces inside of an inner node, and how many nodes come after these pieces.
         private var _areKept:Boolean = false;
-        private var _nodesLeftAtSearch:int = 0;
+        private var _nodesAfterKept:int = 0;
 
         // Those near the box of the leaf that was divided last, if they were kept.
         private var _leafTriangles:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
@@ -110,6 +110,8 @@ package starlogo.ground
             while (pieces.next())
             {
                 _next = 0;
+                // the found triangles are kept until the pieces inside of their node are through
+                _areKept = _areKept && pieces.nodesLeft >= _nodesAfterKept;
                 if (!isTriangleOfLeaf)
                 {
                     beginWithBox();
@@ -156,7 +158,7 @@ package starlogo.ground
             {
                 _box.copyFrom(pieces.box);
             }
-            if (!_areKept || pieces.nodesLeft < _nodesLeftAtSearch)
+            if (!_areKept)
             {
                 beginSearch();
             }
@@ -173,7 +175,7 @@ package starlogo.ground
             search.shape = pieces.hasShapeInBox ? pieces.kernel.shape : null;
             _source.begin(search);
             _areKept = pieces.kind == ModelPieces.INNER_NODE && _source.beginsAtCells();
-            _nodesLeftAtSearch = pieces.nodesLeft;
+            _nodesAfterKept = pieces.nodesLeft;
             _foundCount = 0;
         }
 

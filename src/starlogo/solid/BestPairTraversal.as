@@ -37,7 +37,7 @@ package starlogo.solid
         /**
          * Visits the pairs of leaves (see BoxTree) that may be the best one. A subclass calls it when all is set that does not depend on the nodes.
          *
-         * @param kernel tests the triangles of two leaves; null if their boxes are tested
+         * @param kernel tests the triangles of two leaves, if the trees are exact. It has begun with them
          */
         protected final function visitPairs(trees:TreePair, kernel:TrianglePairKernel):void
         {
@@ -104,7 +104,7 @@ package starlogo.solid
             throw new IllegalOperationError(this + " does not implement estimate");
         }
 
-        /** Measures two leaves, by the kernel, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
+        /** Measures two leaves: their triangles by the kernel, if the trees are exact, otherwise their boxes. If they are better than the best pair so far, they become it. */
         protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
             throw new IllegalOperationError(this + " does not implement measure");

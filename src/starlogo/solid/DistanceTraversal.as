@@ -41,7 +41,7 @@ package starlogo.solid
         /**
          * Finds the closest points of two trees.
          *
-         * @param kernel measures the triangles of two leaves; null if their boxes are measured
+         * @param kernel measures the triangles of two leaves, if the trees are exact. It has begun with them
          * @param out receives the points and their distance, in a's space
          */
         public function findClosest(trees:TreePair, kernel:TrianglePairKernel, out:ClosestPoints):void
@@ -156,7 +156,7 @@ package starlogo.solid
         /** @inheritDoc */
         override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
-            if (kernel != null)
+            if (trees.isExact)
             {
                 kernel.findCloser(a, b, _nearest);
                 limit = _nearest.distance;

@@ -36,7 +36,7 @@ package starlogo.solid
          * Finds when two trees first touch, and which leaves or triangles do.
          *
          * @param motion of tree b, from the pose on; its time and its latest time are overwritten
-         * @param kernel tests the triangles of two leaves, and began with this motion; null if their boxes are tested
+         * @param kernel tests the triangles of two leaves, if the trees are exact. It has begun with them and this motion
          */
         public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:TrianglePairKernel):void
         {
@@ -64,7 +64,7 @@ package starlogo.solid
         /** @inheritDoc */
         override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
-            if (kernel != null)
+            if (trees.isExact)
             {
                 kernel.findEarlier(a, b, this);
                 // pairs may still come that touch no later than this

@@ -50,12 +50,13 @@ package starlogo.solid
         /**
          * Finds whether two leaves touch: see BoxTree.
          *
-         * @param kernel tests the triangles of two leaves; null if their boxes are tested
+         * @param kernel tests the triangles of two leaves, if the trees are exact. It has begun with them
          * @return APART, ONLY_ROOTS or OVERLAPPING
          */
         public function find(trees:TreePair, kernel:TrianglePairKernel):int
         {
             var pair:BoxPair = _pair;
+            var isExact:Boolean = trees.isExact;
             var margin:Number = trees.pose.margin;
             var leafDepthsA:Vector.<int> = trees.a.leafUpToDepth;
             var leafDepthsB:Vector.<int> = trees.b.leafUpToDepth;
@@ -80,7 +81,7 @@ package starlogo.solid
                 pair.aHalfZ += margin;
                 var isLeafA:Boolean = leafDepthsA[a] >= depthA;
                 var isLeafB:Boolean = leafDepthsB[b] >= depthB;
-                var areBoxesTested:Boolean = isLeafA && isLeafB && kernel == null;
+                var areBoxesTested:Boolean = isLeafA && isLeafB && !isExact;
                 if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair)
                         || areBoxesTested && !BoxSeparation.overlapAcrossEdges(pair))
                 {
@@ -89,7 +90,7 @@ package starlogo.solid
                 result = ONLY_ROOTS;
                 if (!isLeafA || !isLeafB)
                 {
-                    top = pushChildren(trees, a, isLeafA, b, isLeafB, kernel == null && isDeep(pair), top);
+                    top = pushChildren(trees, a, isLeafA, b, isLeafB, !isExact && isDeep(pair), top);
                 }
                 else if (areBoxesTested || kernel.areTouching(a, b))
                 {

@@ -26,6 +26,12 @@ package starlogo.solid
         /** The pose of b's nodes in the space of a. Whoever makes the object sets it. */
         public var pose:RelativePose = null;
 
+        /** Whether the triangles of two leaves decide; otherwise their boxes do. */
+        public function get isExact():Boolean
+        {
+            return depthA == BoxTree.EXACT && depthB == BoxTree.EXACT;
+        }
+
         /**
          * Reads the boxes of a node of a and a node of b.
          *

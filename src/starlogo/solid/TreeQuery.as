@@ -33,7 +33,7 @@ package starlogo.solid
         /** The pose of b in a's space. */
         public var pose:RelativePose = new RelativePose();
 
-        // The motion of b in a's space, from the pose on.
+        // The motion of b in a's space, from the pose on. Its length is 0 if b stands.
         private var _motion:RelativeMotion = new RelativeMotion();
 
         /** Whether the two touch where they stand: their surfaces do, or one of them is inside of the other. */
@@ -46,7 +46,9 @@ package starlogo.solid
         override public final function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
             pose.setBetween(placementA, placementB, motion, time);
-            return areTouchingInPose();
+            _motion.copyVector(RelativeMotion.NONE);
+            _motion.latestTime = 1;
+            return areTouchingInPose(_motion);
         }
 
         /** @inheritDoc */
@@ -95,7 +97,7 @@ package starlogo.solid
             if (_motion.time == RelativeMotion.NEVER)
             {
                 _motion.time = 0;
-                findContactOfRoots(_motion, out);
+                findContactOfNodes(0, 0, _motion, out);
             }
             RelativePose.moveContactToWorld(out, placementA, motion);
         }
@@ -120,8 +122,8 @@ package starlogo.solid
             }
         }
 
-        /** Whether the two touch in their pose. */
-        internal function areTouchingInPose():Boolean
+        /** Whether the two touch in their pose. The motion has length 0; a search may overwrite its times. */
+        internal function areTouchingInPose(still:RelativeMotion):Boolean
         {
             throw new IllegalOperationError(this + " does not implement areTouchingInPose");
         }
@@ -139,11 +141,12 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of a's root with b's root, or with the structure. The parameters are those of <code>findImpactInPose()</code>.
+         * Finds the contact of a node of a with a node of b, 0 for its root, or with the structure. The other parameters are those of
+         * <code>findImpactInPose()</code>.
          */
-        internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
+        internal function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findContactOfRoots");
+            throw new IllegalOperationError(this + " does not implement findContactOfNodes");
         }
 
         /** Finds the distance and the closest points of the surfaces in their pose. The argument receives them, in a's space. */

@@ -30,18 +30,26 @@ package starlogo.solid
         // The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it.
         private static const NOT_WIDENED:Number = 1;
 
+        // What visit() does with a leaf of the search: it finds the triangle or the box that the ray meets first, or adds all crossings with them.
+        private static const FIRST_TRIANGLE:int = 0;
+        private static const FIRST_BOX:int = 1;
+        private static const ALL_TRIANGLES:int = 2;
+        private static const ALL_BOXES:int = 3;
+
+        // One of these.
+        private var _wanted:int = FIRST_TRIANGLE;
+
         private var _search:BoxSearch = new BoxSearch();
         private var _ray:Ray = null;
         private var _start:Vector3D = new Vector3D();
 
-        // Receives all crossings; null if only the first place is asked for.
+        // Receives all crossings, if they are wanted.
         private var _all:RayCrossings = null;
 
         // The triangle's index, or the node, that the ray meets first so far, or -1.
         private var _first:int = -1;
 
-        // Whether triangles decide, and the ray for them.
-        private var _isExact:Boolean = false;
+        // If triangles decide: the ray for them, and the corners of the current one.
         private var _shearedRay:ShearedRay = new ShearedRay();
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
@@ -76,8 +84,10 @@ package starlogo.solid
             {
                 out.addInside(ray);
             }
-            search(model, depth, ray, out);
-            return _isExact;
+            var isExact:Boolean = depth == BoxTree.EXACT;
+            _all = out;
+            search(model, depth, ray, isExact ? ALL_TRIANGLES : ALL_BOXES);
+            return isExact;
         }
 
         private function beginsInside(model:ModelTree, ray:Ray):Boolean
@@ -89,26 +99,29 @@ package starlogo.solid
         /** Finds where a ray first meets the surface, wherever it begins. The parameters are those of <code>find()</code>. */
         internal function findOnSurface(model:ModelTree, depth:int, ray:Ray, out:RayCrossing):Boolean
         {
-            search(model, depth, ray, null);
-            if (_first >= 0 && _isExact)
+            if (depth != BoxTree.EXACT)
+            {
+                search(model, depth, ray, FIRST_BOX);
+                return _first >= 0 && enters(model.boxTree, _first, out);
+            }
+            search(model, depth, ray, FIRST_TRIANGLE);
+            if (_first >= 0)
             {
                 model.boxTree.readTriangle(_first, _corners);
                 _shearedRay.writeFirst(_corners, model.boxTree.primitives[_first], out);
-                return true;
             }
-            return _first >= 0 && enters(model.boxTree, _first, out);
+            return _first >= 0;
         }
 
         // Visits what the ray may meet.
-        private function search(model:ModelTree, depth:int, ray:Ray, all:RayCrossings):void
+        private function search(model:ModelTree, depth:int, ray:Ray, wanted:int):void
         {
             var tree:BoxTree = model.treeFor(depth);
             _ray = ray;
-            _all = all;
+            _wanted = wanted;
             _first = -1;
             limit = ray.to;
-            _isExact = depth == BoxTree.EXACT;
-            if (_isExact)
+            if (depth == BoxTree.EXACT)
             {
                 _shearedRay.setTo(ray, tree.radiusAboutOrigin);
             }
@@ -118,41 +131,20 @@ package starlogo.solid
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (_all != null)
+            switch (_wanted)
             {
-                addCrossings(tree, node);
-            }
-            else if (_isExact)
-            {
-                findFirstTriangle(tree, node);
-            }
-            else if (enters(tree, node, _entry) && (_entry.distance < limit || _first < 0))
-            {
-                _first = node;
-                limit = _entry.distance;
-                if (!(limit > _ray.from))
-                {
-                    // no node can be met before the ray's beginning
-                    endSearch();
-                }
-            }
-        }
-
-        // Adds all crossings with a node: with its triangles, or its box.
-        private function addCrossings(tree:BoxTree, node:int):void
-        {
-            if (!_isExact)
-            {
-                if (SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span))
-                {
-                    _all.addSpan(_ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
-                }
-                return;
-            }
-            for (var i:int = tree.firstPrimitive[node]; i < tree.endPrimitive[node]; i++)
-            {
-                tree.readTriangle(i, _corners);
-                _shearedRay.addCrossing(_corners, tree.primitives[i], _all);
+                case FIRST_TRIANGLE:
+                    findFirstTriangle(tree, node);
+                    break;
+                case FIRST_BOX:
+                    findFirstBox(tree, node);
+                    break;
+                case ALL_TRIANGLES:
+                    addTriangles(tree, node);
+                    break;
+                default:
+                    addBox(tree, node);
+                    break;
             }
         }
 
@@ -169,6 +161,40 @@ package starlogo.solid
                     _first = i;
                     limit = _shearedRay.first.distance;
                 }
+            }
+        }
+
+        // Finds whether the ray enters the box of a node earlier than those before.
+        private function findFirstBox(tree:BoxTree, node:int):void
+        {
+            if (enters(tree, node, _entry) && (_entry.distance < limit || _first < 0))
+            {
+                _first = node;
+                limit = _entry.distance;
+                if (!(limit > _ray.from))
+                {
+                    // no node can be met before the ray's beginning
+                    endSearch();
+                }
+            }
+        }
+
+        // Adds all crossings with the triangles of a node.
+        private function addTriangles(tree:BoxTree, node:int):void
+        {
+            for (var i:int = tree.firstPrimitive[node]; i < tree.endPrimitive[node]; i++)
+            {
+                tree.readTriangle(i, _corners);
+                _shearedRay.addCrossing(_corners, tree.primitives[i], _all);
+            }
+        }
+
+        // Adds where the ray enters and leaves the box of a node.
+        private function addBox(tree:BoxTree, node:int):void
+        {
+            if (SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span))
+            {
+                _all.addSpan(_ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
             }
         }
 

@@ -32,9 +32,6 @@ package starlogo.solid
         private var _triangleImpact:TriangleImpactVisitor;
         private var _triangleDistance:TriangleDistanceVisitor;
 
-        // The motion of a structure that stands; a search overwrites its times.
-        private var _still:RelativeMotion = new RelativeMotion();
-
         // Has the structure in a's space as a shape.
         private var _kernel:TriangleKernel = new TriangleKernel();
 
@@ -75,10 +72,9 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function areTouchingInPose():Boolean
+        override internal function areTouchingInPose(still:RelativeMotion):Boolean
         {
-            _still.latestTime = 1;
-            return findFirstTouched(_still) >= 0 || findInside(null);
+            return findFirstTouched(still) >= 0 || findInside(null);
         }
 
         /** @inheritDoc */
@@ -96,14 +92,8 @@ package starlogo.solid
             }
             else
             {
-                findContactOfNode(found, motion, out);
+                findContactOfNodes(found, 0, motion, out);
             }
-        }
-
-        /** @inheritDoc */
-        override internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
-        {
-            findContactOfNode(0, motion, out);
         }
 
         // Finds which triangle, by its index, or else which node is touched first. Returns -1 if none is.
@@ -128,9 +118,10 @@ package starlogo.solid
             return structure;
         }
 
-        private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
+        /** @inheritDoc */
+        override internal function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            StructurePairs.findContact(placed(), _tree.boxTree.boxOf(node), motion, out);
+            StructurePairs.findContact(placed(), _tree.boxTree.boxOf(nodeA), motion, out);
         }
 
         /** @inheritDoc */

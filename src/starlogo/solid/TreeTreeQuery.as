@@ -69,9 +69,9 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function areTouchingInPose():Boolean
+        override internal function areTouchingInPose(still:RelativeMotion):Boolean
         {
-            var result:int = _overlap.find(_trees, kernelFor(RelativeMotion.NONE));
+            var result:int = _overlap.find(_trees, _pairKernel.begin(_trees, still));
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && findComponentInside(null);
         }
@@ -79,13 +79,13 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
-            _impact.findFirstPair(_trees, motion, kernelFor(motion));
+            _impact.findFirstPair(_trees, motion, _pairKernel.begin(_trees, motion));
             motion.time = _impact.firstTime;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
                 return;
             }
-            if (isExact)
+            if (_trees.isExact)
             {
                 _contactFinder.find(_trees, _impact.firstA, _impact.firstB, motion, out);
             }
@@ -96,12 +96,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
-        {
-            findContactOfNodes(0, 0, motion, out);
-        }
-
-        private function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
+        override internal function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
         {
             var placedB:BoundingStructure = pose.place(_trees.b.boxOf(nodeB));
             StructurePairs.findContact(placedB, _trees.a.boxOf(nodeA), motion, out);
@@ -110,7 +105,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
-            _distance.findClosest(_trees, kernelFor(RelativeMotion.NONE), out);
+            _distance.findClosest(_trees, _pairKernel.begin(_trees, RelativeMotion.NONE), out);
         }
 
         /** Neither is inside if the boxes of the roots do not touch. Then the insides are not prepared. @inheritDoc */
@@ -159,18 +154,6 @@ package starlogo.solid
                 }
             }
             return false;
-        }
-
-        // Whether triangles are tested.
-        private function get isExact():Boolean
-        {
-            return _trees.depthA == BoxTree.EXACT && _trees.depthB == BoxTree.EXACT;
-        }
-
-        // What tests two leaves: their triangles, or null for their boxes. The motion is that of b.
-        private function kernelFor(motion:RelativeMotion):TrianglePairKernel
-        {
-            return isExact ? _pairKernel.begin(_trees, motion) : null;
         }
     }
 }

@@ -52,7 +52,7 @@ package starlogo.solid
         }
 
         /**
-         * Begins with two trees that have triangles, whose corners are listed.
+         * Begins with two trees. If they are exact, it can be asked about their leaves.
          *
          * @param trees the two; the pose is where b is at time 0
          * @param motion of b in a's space; RelativeMotion.NONE if it stands. <code>findEarlier()</code> overwrites its time and its latest time

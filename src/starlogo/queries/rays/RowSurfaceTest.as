@@ -46,18 +46,21 @@ package starlogo.queries.rays
         {
             var body:Body = _seen.table.bodyOf(row);
             var isGround:Boolean = body.kind == ModelShape.GROUND;
-            var areTriangles:Boolean = true;
             var isMet:Boolean = false;
             _crossings.count = 0;
             if (isGround)
             {
                 _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
+                _surfaces.findOfTriangles(_crossings);
+            }
+            else if (RowRayTest.bringIntoModel(ray, body.placement, _rayInModel) && addCrossings(body, _rayInModel, _crossings))
+            {
+                _surfaces.findOfTriangles(_crossings);
             }
             else
             {
-                areTriangles = RowRayTest.bringIntoModel(ray, body.placement, _rayInModel) && addCrossings(body, _rayInModel, _crossings);
+                _surfaces.findOfSolids(_crossings);
             }
-            _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
                 var crossing:RayCrossing = _crossings.items[_surfaces.indices.values[i]];

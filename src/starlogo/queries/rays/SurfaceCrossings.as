@@ -23,46 +23,18 @@ package starlogo.queries.rays
         private var _sides:Vector.<int> = new Vector.<int>();
 
         /**
-         * Finds which crossings are surfaces.
+         * Finds the surfaces of a structure, or of nodes: where the ray enters the first of parts that overlap, and where it leaves the last.
          *
-         * @param crossings how a ray crosses a shape
-         * @param areTriangles whether triangles are crossed; otherwise structures or nodes, which the ray enters and leaves
+         * @param crossings where it enters and leaves each part
          */
-        public function find(crossings:RayCrossings, areTriangles:Boolean):void
+        public function findOfSolids(crossings:RayCrossings):void
         {
             _all.count = indices.count = 0;
-            for (var i:int = 0; i < crossings.count; i++)
+            for (var k:int = 0; k < crossings.count; k++)
             {
-                _all.add(i, areTriangles ? crossings.items[i].distance : endKeyOf(crossings.items[i]));
+                _all.add(k, endKeyOf(crossings.items[k]));
             }
             _all.sortFirst(_all.count);
-            if (areTriangles)
-            {
-                keepTriangles(crossings);
-            }
-            else
-            {
-                keepEnds(crossings);
-            }
-        }
-
-        // By what an entry and a way out are sorted. Where the ray begins inside comes first; nodes that touch up to rounding overlap.
-        private static function endKeyOf(crossing:RayCrossing):Number
-        {
-            switch (crossing.side)
-            {
-                case RayCrossing.INSIDE:
-                    return -Infinity;
-                case RayCrossing.ENTERS:
-                    return crossing.distance - crossing.rounding;
-                default:
-                    return crossing.distance;
-            }
-        }
-
-        // Keeps where the ray enters the first of parts that overlap, and where it leaves the last.
-        private function keepEnds(crossings:RayCrossings):void
-        {
             var depth:int = 0;
             // where the ray begins, if that is inside of a part
             var insideFrom:Number = -Infinity;
@@ -91,9 +63,33 @@ package starlogo.queries.rays
             }
         }
 
-        // Keeps one of the triangles that the ray meets at the same place from the same side, and one of those that it runs along.
-        private function keepTriangles(crossings:RayCrossings):void
+        // By what an entry and a way out are sorted. Where the ray begins inside comes first; nodes that touch up to rounding overlap.
+        private static function endKeyOf(crossing:RayCrossing):Number
         {
+            switch (crossing.side)
+            {
+                case RayCrossing.INSIDE:
+                    return -Infinity;
+                case RayCrossing.ENTERS:
+                    return crossing.distance - crossing.rounding;
+                default:
+                    return crossing.distance;
+            }
+        }
+
+        /**
+         * Finds the surfaces of triangles: one of those that the ray meets at the same place from the same side, and one of those that it runs along.
+         *
+         * @param crossings where it crosses each triangle
+         */
+        public function findOfTriangles(crossings:RayCrossings):void
+        {
+            _all.count = indices.count = 0;
+            for (var k:int = 0; k < crossings.count; k++)
+            {
+                _all.add(k, crossings.items[k].distance);
+            }
+            _all.sortFirst(_all.count);
             var runsUntil:Number = -Infinity;
             var mostSlack:Number = 0;
             for (var i:int = 0; i < crossings.count; i++)

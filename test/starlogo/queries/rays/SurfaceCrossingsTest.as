@@ -35,7 +35,7 @@ package starlogo.queries.rays
                     crossing.side = _random.pick([RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.EDGE_ON]);
                     all.push(crossing.distance + " with " + crossing.rounding + " from " + crossing.side);
                 }
-                _surfaces.find(crossings, true);
+                _surfaces.findOfTriangles(crossings);
                 joined += crossings.count - _surfaces.indices.count;
                 var said:String = "crossings " + i + ": " + all.join() + ", left " + _surfaces.indices.values.slice(0, _surfaces.indices.count).join();
                 wrong.addIf(!areInOrder(crossings), "the order", said);
@@ -62,7 +62,7 @@ package starlogo.queries.rays
                 crossing.rounding = i < 2 ? 0 : 1;
                 crossing.side = sides[i];
             }
-            _surfaces.find(crossings, false);
+            _surfaces.findOfSolids(crossings);
             assertEquals("0,4,5", _surfaces.indices.values.slice(0, _surfaces.indices.count).join());
         }
 

@@ -28,7 +28,7 @@ package starlogo.queries.motion
         /** TouchSweep alone: the place of the body where the shrunk body touches the row. */
         public var shrunkPlace:Vector3D = new Vector3D();
 
-        /** Whether the body starts in an overlap for which a plane stands: a deep one, or one without a way out. In TouchSweep that overlap stops it. */
+        /** Whether the body starts in an overlap for which a plane stands: a deep one, or one that pushes did not end. In TouchSweep it stops the body. */
         public var startsPenetrating:Boolean = false;
 
         /** Whether it has a contact. */

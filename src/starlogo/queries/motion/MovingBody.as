@@ -1,8 +1,11 @@
-// This folder moves a MovingBody among the rows of a table. The head of AgentMotions says in which order to read it. Its words:
-// Shrunk body: the body, but smaller by a slop (ShrunkBody). Only what it meets stops the body, so the body may touch what it stands on or runs along.
+// This folder moves a MovingBody among the rows of a table. Slider (slides) and TouchSweep (casts) call ShrunkSweep, which calls ShrunkBody and
+// Depenetration. All ask the MovingBody. The head of AgentMotions says in which order to read a walk. Its words:
+// Shrunk body: the body, but smaller by an inset, at first a slop (ShrunkBody). Only what it meets stops the body, so the body may touch what it
+// stands on or runs along.
 // Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (Depenetration), a walk with pushes out of
 // deep ones too.
-// Plane: it stands for a row that the body overlaps deeply or without a way out, or has met on a slide. The motion must not cross it.
+// Plane: it stands for a row that the body overlaps deeply, or out of which pushes do not lead, or that it has met on a slide. The motion must not
+// cross it.
 // Obstacles: the rows that can stop a motion. A row with a plane for an overlap is no obstacle, and neither is a one-way row that the body passes.
 package starlogo.queries.motion
 {
@@ -28,8 +31,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * A body that moves, and the rows near its way. It tells whether the body touches a row, and how it overlaps the row, at the places that a motion
-     * tries. The classes that move it know rows only through it.
+     * A body that moves and the rows near its way, for the classes that move it: they know rows only through it. It asks NarrowPhase whether the body
+     * touches a row, and how it overlaps the row, at the places that a motion tries.
      *
      * @private
      */

@@ -11,7 +11,7 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * A body on one motion, made smaller by a slop about the middle of its extents, and the tolerances of this motion. So it does not touch what the
+     * A body on one motion, made smaller by an inset about the middle of its extents, and the tolerances of this motion. So it does not touch what the
      * full body only touches.
      *
      * <p>docs/mover.md derives the quantities.</p>
@@ -47,17 +47,20 @@ package starlogo.queries.motion
 
         /**
          * The slop of the motion, in patches: how far the shrunk body's nearest faces are behind the body's own. They are less far behind if the body
-         * is slim, or if its least half-extent is less than two slops. A narrower shrunk body does not change the slop. Read only.
+         * is slim, or if its least half-extent is less than two slops. A larger inset does not change the slop. Read only.
          */
         public var slop:Number = 0;
 
-        /** How far before a touch a slide ends, in patches. It is less than the slop, so the body can enter a place as wide as itself. Read only. */
+        /**
+         * How far before a touch a slide ends, and beyond an overlap a push leads, in patches. It is less than the slop, so the body can enter a place as
+         * wide as itself. Read only.
+         */
         public var clearance:Number = 0;
 
-        /** The part of its size that the shrunk body loses. Read only. */
+        /** The part of its size that the shrunk body loses with its inset. Read only. */
         public var shrink:Number = 0;
 
-        /** Whether the body is too flat for the shrunk body to be narrower. Read only. */
+        /** Whether the body is so flat that the shrunk body loses hardly any of its inset. Read only. */
         public var isFlat:Boolean = false;
 
         // How much of its least half-extent the shrunk body should lose: a slop at first. A slim or small body loses less.
@@ -118,8 +121,8 @@ package starlogo.queries.motion
         }
 
         /**
-         * Makes the shrunk body narrower for this motion, if it is free of a row then. It becomes no narrower than it has to be, up to a factor,
-         * because the motion can lead the body into other rows as deep as the shrunk body is narrow.
+         * Makes the inset larger for this motion, if the shrunk body is free of a row then. It becomes no larger than it has to be, up to a factor,
+         * because the motion can lead the body into other rows as deep as the inset.
          *
          * @return whether the shrunk body is free of the row
          */
@@ -140,10 +143,10 @@ package starlogo.queries.motion
             return true;
         }
 
-        private function setInset(width:Number):void
+        private function setInset(inset:Number):void
         {
-            _inset = width;
-            shrink = shrinkOf(body.fullBody, width);
+            _inset = inset;
+            shrink = shrinkOf(body.fullBody, inset);
             _shrunk.copyFrom(body.fullBody);
             _shrunk.shrink(shrink);
         }

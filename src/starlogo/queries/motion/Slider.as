@@ -5,8 +5,8 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
 
     /**
-     * Moves a body as characters move: along what it meets, or straight on. The body ends a clearance before what stops it, so that the next motion
-     * begins free.
+     * Moves a body as characters move, along what it meets or straight on: ShrunkSweep says what stops it, and RemainingMotion turns the rest. The body
+     * ends a clearance before what stops it, so that the next motion begins free.
      *
      * <p>It returns how a motion ends. There is one result for slides and one for straight motions, and each is valid until the next motion of its kind.
      * That motion may begin at the place of the result.</p>

@@ -8,8 +8,8 @@ package starlogo.queries.motion
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
-     * it only touches, leaves or runs along does not stop it, because the shrunk body is swept (ShrunkSweep).
+     * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch, with a ShrunkSweep for each row. A row that the body
+     * would go into stops it. A row that it only touches, leaves or runs along does not stop it, because the shrunk body is swept.
      *
      * <p>Each row is tested alone, from where the body begins. If the body overlaps one of them a little there, it is tested again, from the start to which
      * pushes out of all rows together lead the body (ShrunkSweep.begin). The answers are as without pushes: each push is taken out of the time

@@ -3,12 +3,12 @@
 // Read this file first, then StructurePairTests, the shortest one. The methods, in the order of this file:
 // - Verdict: areTouching.
 // - Sweeps, which find the first touch on a motion. Only findFirstTouch finds one that rounding hides at the end of a motion far shorter than the
-//   two are. The sweeps differ if the two touch where the motion begins:
-//   - findFirstTouch: the time 0, and the contact there.
-//   - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch, also if one is inside of the other.
-//   - findImpactOfSolids: the same, but the time 0 if one is inside of the other.
+// two are. The sweeps differ if the two touch where the motion begins:
+// - findFirstTouch: the time 0, and the contact there.
+// - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch, also if one is inside of the other.
+// - findImpactOfSolids: the same, but the time 0 if one is inside of the other.
 // - Contacts: findContact is that of the two where they are. It begins with findContactOfParts, and separate makes it one that separates the two.
-//   findContactOfCovers is that of larger shapes, with which the search for a push begins.
+// findContactOfCovers is that of larger shapes, with which the search for a push begins.
 // - Distances: findClosest. Then the tolerances of all these.
 package starlogo.search.pairs
 {

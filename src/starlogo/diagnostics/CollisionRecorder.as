@@ -29,7 +29,7 @@ package starlogo.diagnostics
      * </listing>
      *
      * <p>A frame is a frame of a Collision, or a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers are counted only in
-     * findCollisions. Each collision costs some ten-thousandths of a millisecond, and each pair of breeds that has ever collided a little in each frame.</p>
+     * findCollisions. The cost is proportional to the number of collisions: some ten-thousandths of a millisecond for each.</p>
      */
     public final class CollisionRecorder extends BaseCollider
     {
@@ -40,6 +40,9 @@ package starlogo.diagnostics
         // A tally for each pair of breeds, and its index by their numbers, the lesser first.
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
         private var _indices:IntPairMap = new IntPairMap();
+
+        // The tallies of pairs that collide in the present frame.
+        private var _found:Vector.<Tally> = new Vector.<Tally>();
 
         private var _findTimes:FrameTimes = new FrameTimes();
         private var _frameTimes:FrameTimes = new FrameTimes();
@@ -182,7 +185,10 @@ package starlogo.diagnostics
                 index = _pairs.push(new Tally([a.breed, b.breed])) - 1;
                 _indices.set (lesser, greater, index);
             }
-            _pairs[index].inFrame++;
+            if (_pairs[index].inFrame++ == 0)
+            {
+                _found.push(_pairs[index]);
+            }
         }
 
         private function endFrame(collisions:int):void
@@ -190,10 +196,11 @@ package starlogo.diagnostics
             _frames++;
             _all.inFrame = collisions;
             _all.endFrame();
-            for each (var pair:Tally in _pairs)
+            for each (var pair:Tally in _found)
             {
                 pair.endFrame();
             }
+            _found.length = 0;
         }
     }
 }

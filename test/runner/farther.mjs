@@ -89,7 +89,8 @@ export function fartherTests({ tests, farther, named }, classes, sources, long =
 		return (farther.has(name) ? 3 : 4) + (isLong(each) ? 2 : 0);
 	};
 	const found = [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test]));
-	return [...found, ...testFilesOf(named).map((file) => [file])].sort((a, b) => place(a) - place(b));
+	const placed = [...found, ...testFilesOf(named).map((file) => [file])].map((each) => [each, place(each)]);
+	return placed.sort(([, a], [, b]) => a - b).map(([each]) => each);
 }
 
 /** What the runner calls a class's test: without the package. A file has its path. */

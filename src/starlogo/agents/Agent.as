@@ -138,6 +138,12 @@ package starlogo.agents
             modelNumber = MODEL_NAMES.numberOf(shape);
         }
 
+        /** @private Counts a new agent, and returns its id. */
+        engine static function takeId():int
+        {
+            return ++createdCount;
+        }
+
         /** @private Whether an agent may have a size. */
         engine static function isSize(value:Number):Boolean
         {
@@ -147,7 +153,7 @@ package starlogo.agents
         /** @private The id of a new agent. */
         engine function newId():int
         {
-            return ++createdCount;
+            return takeId();
         }
 
         /** @private Whether it stands for the ground or the edges of the world. */

@@ -63,7 +63,7 @@ package starlogo.terrain
             requireInWorld("the end of a terrain's blocks", x + (columns - 0.5) * cellWidth, y + (rows - 0.5) * cellWidth, 0);
             environmentAgent.surface = ModelShape.ofEnvironment(new HeightGrid(columns, rows, cellWidth, x, y), null, GroundPairTests.addTo);
             // only the edges' agents have negative ids: see Agent.id
-            environmentAgent.idNumber = ++Agent.createdCount;
+            environmentAgent.idNumber = Agent.takeId();
         }
 
         /**

@@ -81,7 +81,7 @@ package starlogo.intersection.ray
             var toZ:Number = direction.z / unit;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             this.direction.setTo(toX / length, toY / length, toZ / length);
-            this.origin.setTo(origin.x, origin.y, origin.z);
+            this.origin.copyFrom(origin);
             from = 0;
             to = Infinity;
         }

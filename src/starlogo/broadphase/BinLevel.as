@@ -71,7 +71,7 @@ package starlogo.broadphase
          */
         public function layOutBuckets(first:int):int
         {
-            if (!hasBuckets)
+            if (count == 0)
             {
                 return first;
             }

@@ -28,8 +28,8 @@ package starlogo.collision
         private var _system:BaseCollider = null;
         private var _tracker:TouchTracker = null;
 
-        // How far the calls of the present pair or ended touch are. If a handler throws, callAll comes back to the same pair, and resumes with the next
-        // handler. These are all handlers of the pair, or null before its calls begin; the index of the next one; and the one that runs, or null.
+        // All handlers of the present pair or ended touch, or null before its calls begin; the index of the next one; and the one that runs, or null. If a
+        // handler throws, callAll comes back to the same pair, and these say where it resumes.
         private var _handlersOfPair:PairHandlers = null;
         private var _nextHandler:int;
         private var _running:CollisionHandler = null;

@@ -29,11 +29,13 @@ package starlogo.handlers
 
         private static const NONE:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
-        // Of each two breeds that have handlers, or that agents of a pair had since the handlers changed: the index by their numbers; at this index, the
-        // handlers that were added for the first one as the collider; and what the frame calls for a first and a second agent of these breeds, or null if
-        // such agents have not met since.
+        // By the numbers of two breeds: their index. Two breeds have one if they have handlers, or if their agents have met since the handlers changed.
         private var _indices:IntPairMap = new IntPairMap();
+
+        // By index: the handlers that were added for just these two breeds, the first one as the collider.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
+
+        // By index: what the frame calls for a first and a second agent of these breeds; null if none have met since the handlers changed.
         private var _pairHandlers:Vector.<PairHandlers> = new Vector.<PairHandlers>();
 
         // Counts the changes of the handlers.

@@ -14,7 +14,7 @@ package starlogo.handlers
      * their shape's. Agents of the breed may still come, so nothing is refused. An agents' breed that a handler names is not what another name means. Of
      * many such breeds only the first are looked at. The ES module has its own version, the same as that of <code>warnOfBreeds()</code>.
      *
-     * @param names the breeds that the frame's new handlers name, or a block
+     * @param names the breeds that new handlers of the frame name, or the one that a block names
      * @param agents the frame's agents, not yet checked: one may be null
      * @param interests the breeds that all handlers name; null for a block's breed
      * @private

@@ -97,12 +97,12 @@ package starlogo.search
         }
 
         /**
-         * Finds the contact of two rows that touch on their motions, which separates them.
+         * Finds the contact of two rows if one of them sweeps and they touch on their motions. The contact separates them.
          *
          * @param b may be the ground or the edges of the world
          * @param motion receives the motion of the first relative to the second, with the time
          * @param out receives the contact at that time
-         * @return whether they do: one of the two sweeps, and they touch
+         * @return whether one sweeps and they touch
          */
         public function findContactOnMotions(a:int, b:int, motion:RelativeMotion, out:ContactPoint):Boolean
         {

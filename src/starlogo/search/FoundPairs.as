@@ -44,7 +44,7 @@ package starlogo.search
             this.listed = listed;
         }
 
-        /** Lets no pair have a touch, because they may have those of another Collision. */
+        /** Lets no pair have a touch. Call it if the touches may be those of another Collision. */
         public function forgetTouches():void
         {
             for (var i:int = 0; i < count; i++)

@@ -1,15 +1,18 @@
 // This folder tests two bodies, by a class for each kind of pairs, all with the same methods: SpherePairTests, StructurePairTests and TreePairTests
 // for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world. SupportSearch finds how far a body reaches.
-// Read this file first, then StructurePairTests, the shortest one. The methods, in the order of this file:
-// - Verdict: areTouching.
-// - Sweeps, which find the first touch on a motion. Only findFirstTouch finds one that rounding hides at the end of a motion far shorter than the
-// two are. The sweeps differ if the two touch where the motion begins:
-// - findFirstTouch: the time 0, and the contact there.
-// - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch, also if one is inside of the other.
-// - findImpactOfSolids: the same, but the time 0 if one is inside of the other.
-// - Contacts: findContact is that of the two where they are. It begins with findContactOfParts, and separate makes it one that separates the two.
-// findContactOfCovers is that of larger shapes, with which the search for a push begins.
-// - Distances: findClosest. Then the tolerances of all these.
+// Read this file first, then StructurePairTests, the shortest one. Three of the methods are sweeps: they find the first touch on a motion. They differ
+// if the two touch where the motion begins. Only findFirstTouch finds a touch that rounding hides at the end of a motion far shorter than the two are.
+// The methods, in the order of this file:
+// - areTouching: the verdict.
+// - findFirstTouch: a sweep. If the two touch where the motion begins, it finds the time 0, and the contact there.
+// - findImpactOfSurfaces: a sweep. In that case it finds the time 0, or when their surfaces first touch, also if one is inside of the other.
+// - findImpactOfSolids: a sweep. It finds the same, but the time 0 if one is inside of the other.
+// - findContact: the contact of the two where they are. It begins with findContactOfParts, and ends with separate if they touch.
+// - findContactOfParts: the contact of two parts of theirs, which need not separate the two.
+// - findContactOfCovers: the contact of larger shapes, with which the search for a push begins.
+// - separate: makes the contact of parts one that separates the two.
+// - findClosest: the distance of the two, and their closest points.
+// - marginOf and all after it: the tolerances.
 package starlogo.search.pairs
 {
     import flash.errors.IllegalOperationError;

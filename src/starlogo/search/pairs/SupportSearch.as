@@ -53,7 +53,7 @@ package starlogo.search.pairs
         public function find(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             var at:Placement = body.placement;
-            rotateIntoModel(direction, at, _direction);
+            Placement.rotateBack(at, direction, _direction);
             out.support = -Infinity;
             if (body.shape.tree == null)
             {
@@ -65,13 +65,6 @@ package starlogo.search.pairs
                 findOfTree(body, _direction, out);
             }
             bringBack(direction, at, out);
-        }
-
-        private static function rotateIntoModel(direction:Vector3D, at:Placement, out:Vector3D):void
-        {
-            out.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
-            out.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
-            out.z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;
         }
 
         // Turns a support and a point in the model's space into those in the world.

@@ -9,7 +9,7 @@ package starlogo.blocks
      * The blocks that set how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as" (thesis §7.1 to §7.3),
      * and "one way".
      * A setting for a breed counts for its agents. Call <code>welcome()</code> for agents that join the breed later. So a breed need not have agents
-     * yet, and one that is misspelled is no error.
+     * yet, and one that is misspelled is no error, but only warned of.
      */
     public class TraitBlocks
     {

@@ -179,7 +179,8 @@ package starlogo.queries
         private function begin(asker:Agent, x:Number, y:Number, z:Number, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
             requireNotNegative("radius", radius);
-            return NearSearch(_searchPool.top).begin(_seen.beginCollecting(maxCount, SQUARE_ROUNDING * radius * radius, asker, filter), x, y, z);
+            var search:NearSearch = NearSearch(_searchPool.top);
+            return search.begin(_seen.beginCollecting(maxCount, SQUARE_ROUNDING * radius * radius, asker, filter), x, y, z);
         }
     }
 }

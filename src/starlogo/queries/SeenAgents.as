@@ -196,7 +196,8 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function beginCollecting(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            return Collector(_collectorPool.top).begin(maxCount, limit, asker, filter);
+            var collector:Collector = Collector(_collectorPool.top);
+            return collector.begin(maxCount, limit, asker, filter);
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */

@@ -153,7 +153,7 @@ package starlogo.queries.motion
                     {
                         continue;
                     }
-                    // a flat body may be led back once: of the two ways out of a sheet, one may lead into the next row
+                    // a flat body may be led back in the first round: of the two ways out of a sheet, one may lead into the next row
                     var isBetween:Boolean = leadsBack(_contact, last) && !(shrunk.isFlat && round == 0);
                     if (length == Infinity || round == MAX_ROUNDS || isBetween)
                     {
@@ -250,7 +250,8 @@ package starlogo.queries.motion
             return Math.min(_contact.depth, most) - shift + shrunk.clearance;
         }
 
-        // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
+        // Finds the contact with a row that the body touches at a place. In the first rounds the other kind of contact takes its place if it is useless: it
+        // leads back against the last push, or if the body is flat, it is not shallow.
         private function findContactOfPush(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint):void
         {
             // the contact of a flat body with a part that is as flat may point to either side

@@ -88,7 +88,7 @@ package starlogo.queries.motion
          *
          * @param rows the rows that may be in its way
          * @param from where the motion should start
-         * @param out receives all but places. Its fraction is 0 for a plane
+         * @param out receives all but places and the wall. Its fraction is 0 for a plane
          */
         public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {

@@ -10,9 +10,9 @@ package starlogo.solid
      * below it can be better than the best pair so far.
      *
      * <p>Which pair is best depends on the question, and each question has a subclass: when two moving trees first touch, how far two trees
-     * are apart. It keeps the best pair. Whether two standing trees overlap needs no bounds: see OverlapTraversal.</p>
+     * are apart. The subclass keeps the best pair. Whether two standing trees overlap needs no bounds: see OverlapTraversal.</p>
      *
-     * <p>Two Numbers are fields, because JavaScript engines allocate an object for each Number that functions pass.</p>
+     * <p>The limit and the bound are fields, because JavaScript engines allocate an object for each Number that functions pass.</p>
      */
     internal class BestPairTraversal
     {
@@ -104,7 +104,10 @@ package starlogo.solid
             throw new IllegalOperationError(this + " does not implement estimate");
         }
 
-        /** Measures two leaves: their triangles by the kernel, if the trees are exact, otherwise their boxes. If they are better than the best pair so far, they become it. */
+        /**
+         * Measures two leaves: their triangles by the kernel, if the trees are exact, otherwise their boxes. If they are better than the best pair so far,
+         * they become it.
+         */
         protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
             throw new IllegalOperationError(this + " does not implement measure");

@@ -67,8 +67,11 @@ package starlogo.solid
             if (trees.isExact)
             {
                 kernel.findEarlier(a, b, this);
-                // pairs may still come that touch no later than this
-                limit = firstTime < Infinity ? _motion.latestTime : Infinity;
+                if (firstTime != RelativeMotion.NEVER)
+                {
+                    // up to Tolerances.SAME_TIME later than the first time: a pair that touches by then may still count as the first
+                    limit = _motion.latestTime;
+                }
                 return;
             }
             beginPair(trees, a, b);

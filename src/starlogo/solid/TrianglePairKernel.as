@@ -117,17 +117,14 @@ package starlogo.solid
                         continue;
                     }
                     _kernel.findTimeOfImpact(_cornersOfA, _motion);
-                    if (_motion.time <= _motion.latestTime)
+                    if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
                     {
-                        if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
-                        {
-                            out.firstA = indexA;
-                            out.firstB = _firstPlaced + i;
-                        }
-                        out.firstTime = _firstImpact.time;
+                        out.firstA = indexA;
+                        out.firstB = _firstPlaced + i;
                     }
                 }
             }
+            out.firstTime = _firstImpact.time;
         }
 
         /**

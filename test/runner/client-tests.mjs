@@ -39,6 +39,8 @@ if (classes.length === 0) {
 		: `no class and no test matches -Dtest=${name}; there are ${(near.length > 0 ? near : all).join(', ')}`);
 }
 
+const functions = new Map(classes.map((each) => [each, functionsIn(texts.get(each))]));
+
 /** The tag of a function that runs before or after all tests of its class. */
 const tagOf = ({ metadata }) => /\[(?:Before|After)Class\b/.exec(metadata)?.[0].concat(']');
 
@@ -48,11 +50,11 @@ const tagOf = ({ metadata }) => /\[(?:Before|After)Class\b/.exec(metadata)?.[0].
  */
 function placesIn(name) {
 	const text = texts.get(name);
-	const functions = functionsIn(text);
+	const own = functions.get(name);
 	const placeAt = (line) => `${files.get(name)}:${line}`.replaceAll('\\', '/');
-	const around = [...new Set(functions.map(tagOf).filter(Boolean))]
-		.map((tag) => [`${name} ${tag}`, functions.filter((one) => tagOf(one) === tag).map(({ line }) => placeAt(line)).join(' or ')]);
-	return [[name, placeAt(lineAt(text, text.search(/^[^*/\n]*\bclass\b/m)))], ...functions.map((one) => [`${name}.${one.name}`, placeAt(one.line)]), ...around];
+	const around = [...new Set(own.map(tagOf).filter(Boolean))]
+		.map((tag) => [`${name} ${tag}`, own.filter((one) => tagOf(one) === tag).map(({ line }) => placeAt(line)).join(' or ')]);
+	return [[name, placeAt(lineAt(text, text.search(/^[^*/\n]*\bclass\b/m)))], ...own.map((one) => [`${name}.${one.name}`, placeAt(one.line)]), ...around];
 }
 
 const problems = classes.flatMap((each) => problemsIn(texts.get(each)).map((problem) => ({ file: files.get(each), ...problem })));
@@ -63,9 +65,9 @@ if (problems.some(({ isError }) => isError)) refuse('FAILED client-test: no test
 const picked = classes.flatMap((each) => chosen.get(each)?.map((test) => `${each}.${test}`) ?? [each]);
 const isWhole = classes.every((each) => !chosen.get(each));
 const places = new Map(classes.flatMap(placesIn));
-const tags = classes.flatMap((each) => functionsIn(texts.get(each)).map((one) => [`${each}.${one.name}`, tagOf(one)]));
+const tags = [...functions].flatMap(([each, own]) => own.map((one) => [`${each}.${one.name}`, tagOf(one)]));
 const asObject = (entries) => JSON.stringify(Object.fromEntries(entries), null, 4).replaceAll('\n', '\n        ');
-const known = classes.flatMap((each) => functionsIn(texts.get(each))
+const known = [...functions].flatMap(([each, own]) => own
 	.filter((one) => /\[Test\b/.test(one.metadata) && (chosen.get(each)?.includes(one.name) ?? true)).map((one) => `${each}.${one.name}`));
 mkdirSync(out, { recursive: true });
 writeFileSync(path.join(out, 'tests.txt'), known.map((test) => `${test} (${places.get(test)})\n`).join(''));

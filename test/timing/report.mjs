@@ -79,7 +79,7 @@ if (report.earlierEntries) console.log(`${earlierText(report)} All tables are in
 const again = repeats(taken, report.versions.commit, report.sources);
 if (again) console.log('\n' + again);
 console.log(`\nThe report: ${file('report.html')}`);
-for (const run of [results, beside].filter(Boolean)) {
+for (const run of [results, beside, module].filter(Boolean)) {
 	const wrong = differing(run.entries);
 	if (!wrong) continue;
 	console.log(`FAILED timing: in ${run.player} collisions were not those of all pairs: ${wrong}`);

@@ -106,21 +106,24 @@ test('a collider whose collisions are not those of all pairs is named', () => {
 	assert.equal(differing(games.filter(({ agrees }) => agrees)), '');
 });
 
-test('collisions that are wrong in either player fail the report, which names the player', (t) => {
+test('collisions that are wrong in any player fail the report, which names the player', (t) => {
 	const folder = mkdtempSync(path.join(tmpdir(), 'report-test-'));
 	t.after(() => rmSync(folder, { recursive: true }));
-	const reported = (agrees) => {
-		mkdirSync(path.join(folder, 'beside'), { recursive: true });
-		for (const [player, where, agree] of [['Ruffle', '.', true], ['a shell', 'beside', agrees]]) {
-			const found = [timed('crowds', '100 bears', 'BinCollider', 1, { agents: 100, collisions: 5, agrees: agree })];
+	const reported = (wrong) => {
+		for (const [player, where] of [['Ruffle', '.'], ['a shell', 'beside'], ['Node', 'module']]) {
+			const found = [timed('crowds', '100 bears', 'BinCollider', 1, { agents: 100, collisions: 5, agrees: player !== wrong })];
+			mkdirSync(path.join(folder, where), { recursive: true });
 			writeFileSync(path.join(folder, where, 'results.json'), JSON.stringify({ player, isComplete: true, entries: found }));
 		}
-		return spawnSync(process.execPath, [fileURLToPath(new URL('report.mjs', import.meta.url)), folder, `--beside=${folder}/beside`], { encoding: 'utf8' });
+		return spawnSync(process.execPath, [fileURLToPath(new URL('report.mjs', import.meta.url)), folder, `--beside=${folder}/beside`, `--module=${folder}/module`],
+			{ encoding: 'utf8' });
 	};
-	assert.equal(reported(true).status, 0);
-	const { status, stdout } = reported(false);
-	assert.equal(status, 1);
-	assert.match(stdout, /^FAILED timing: in a shell collisions were not those of all pairs: BinCollider, in 100 bears$/m);
+	assert.equal(reported('none').status, 0);
+	for (const player of ['Ruffle', 'a shell', 'Node']) {
+		const { status, stdout } = reported(player);
+		assert.equal(status, 1);
+		assert.match(stdout, new RegExp(`^FAILED timing: in ${player} collisions were not those of all pairs: BinCollider, in 100 bears$`, 'm'));
+	}
 });
 
 test('a range that is much longer on one side has both ends', () => {

@@ -127,9 +127,13 @@ package starlogo.libraries
                     return computing(fitting);
                 }).call(function():void
                 {
-                    var bytes:ByteArray = storesAll ? bytesOf(geometryKey, null) : null;
-                    // data that cannot be stored is computed each time
-                    if (storesAll && stored.isChangedBy(bytes))
+                    if (!storesAll)
+                    {
+                        return;
+                    }
+                    // data that cannot be stored, or that reading refuses, is computed each time
+                    var bytes:ByteArray = bytesOf(geometryKey, null);
+                    if (stored.isChangedBy(bytes))
                     {
                         store.save(geometryKey, _settings, bytes);
                     }

@@ -38,7 +38,11 @@ package starlogo.models.building
         public function labelWithKey(key:String, name:String):int
         {
             var entry:String = keyOf(key);
-            return _labelsOfKeys[entry] = entry in _labelsOfKeys ? _labelsOfKeys[entry] : addLabel(name);
+            if (!(entry in _labelsOfKeys))
+            {
+                _labelsOfKeys[entry] = addLabel(name);
+            }
+            return _labelsOfKeys[entry];
         }
 
         /** Adds the next label. @param name null for none */

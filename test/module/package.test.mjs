@@ -574,13 +574,15 @@ test("while a game is developed, questions without frames, models that replace o
 		game.onCollision(Collision.TERRAIN, "heroes", () => 0);
 		if (said.length > 0) throw new Error(said.join());
 		for (let i = 0; i < 3002; i++) update();
-		// a title, where somebody stands
+		// a title, where some stand, far apart
 		const idle = new Collision(new BinCollider());
 		const title = new AgentQueries(idle);
 		idle.onCollision("pages", "foes", () => 0);
+		const far = new Agent("sphere", "foes");
+		far.moveTo(50, 0, 0);
 		for (let i = 0; i < 400; i++) {
-			title.update([hero]);
-			title.moveUntilTouch(hero, 0.01 * (i % 2 ? 1 : -1), 0, 0);
+			title.update([hero, far]);
+			title.moveUntilTouch(i % 2 ? hero : far, 0.01 * (i % 4 < 2 ? 1 : -1), 0, 0);
 		}
 		// a game that is played
 		const played = new Collision(new BinCollider());

@@ -54,7 +54,6 @@ export class ThreeAgentBinding {
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isYUp);
 		else warnings?.ofNoModel(agent, object);
-		if (index === null) warnings?.ofInstances(agent, object);
 		if ((modelUp === undefined ? conversionOf(model)?.isYUp ?? isYUp : isAxisY(modelUp, "ThreeAgentBinding: options.modelUp")) !== isYUp) {
 			const upright = new Quaternion(isYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
 			this.#turn = this.#turn ? this.#turn.multiply(upright) : upright;
@@ -187,6 +186,7 @@ class ObjectTransform {
 		this.object = object;
 		this.snapshotInto(snapshot);
 		warnings?.ofScale(agent, object);
+		warnings?.ofInstances(agent, object);
 	}
 
 	/** The object's matrix, which is computed from its components unless it is set itself. */

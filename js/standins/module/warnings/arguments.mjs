@@ -36,9 +36,9 @@ export function $refuseNoAgent(call, agents) {
 	}
 }
 
-/** Refuses a number of a question that is negative or NaN, and names the call: the engine names the argument alone. */
+/** Refuses a number of a question that is negative or NaN, as the engine does, and names the call: the engine's own error names the argument alone. */
 export function $refuseNegative(name, value) {
-	if (!(value >= 0)) throw new RangeError(`${name} must be 0 or more, not ${value}`);
+	requireNotNegative(name, value);
 }
 
 /** Refuses a ray's origin or direction, and names the call. Texts are made for what is wrong alone, because games cast many rays. */

@@ -1,7 +1,7 @@
 /** What the adapter to three.js draws elsewhere than it collides, or cannot read. The adapter calls these functions itself. */
 import { $putAtOrigin } from "./shots.mjs";
 import { $restored } from "./snapshots.mjs";
-import { $rounded, $warn } from "./warn.mjs";
+import { $distance, $placeOf, $rounded, $warn } from "./warn.mjs";
 
 /** So many updates in turn that put an agent back to its object are no accident. */
 const $MANY_UNDONE = 10;
@@ -64,7 +64,10 @@ function $warnOfInstances(agent, { isInstancedMesh, count, geometry }) {
 		+ "bindInstance(agent, mesh, index, model)", `instances of ${agent.shape}`);
 }
 
-/** Where an object is before updateObject() takes it to its agent; null unless it is drawn, this is the first update, and nobody has put the agent anywhere. */
+/**
+ * Where an object is before updateObject() takes it to its agent; null unless it is drawn, this is the first update, and nobody has put the agent anywhere.
+ * Keeps the agent's place, which the update does not change.
+ */
 function $placeIfFirst(agent, { isInstancedMesh, position, matrixAutoUpdate, visible }) {
 	const isFirst = !$lastPlaces.has(agent) && !$restored.has(agent);
 	$keepPlace(agent, 0);
@@ -82,7 +85,7 @@ function $warnOfFirstUpdate(agent, { position }, placeBefore) {
 /** Where an agent is, if it has moved since the last update of its binding. */
 function $placeIfMoved(agent) {
 	const last = $lastPlaces.get(agent);
-	return last && $isElsewhere(agent, last) ? { x: agent.x, y: agent.y, z: agent.z } : null;
+	return last && $isElsewhere(agent, last) ? $placeOf(agent) : null;
 }
 
 /**
@@ -118,12 +121,8 @@ function $keepPlace(agent, undone) {
 }
 
 /** Whether what has a place is elsewhere, by more than rounding. */
-function $isElsewhere(placed, { x, y, z }) {
-	return $distance(placed, { x, y, z }) > 1e-6 * (1 + Math.hypot(x, y, z));
-}
-
-function $distance({ x, y, z }, other) {
-	return Math.hypot(other.x - x, other.y - y, other.z - z);
+function $isElsewhere(placed, place) {
+	return $distance(placed, place) > 1e-6 * (1 + Math.hypot(place.x, place.y, place.z));
 }
 
 /** Warns of a level below a parent that is moved, turned or scaled in the scene. It may be the land, so it is no error. A land with z up is turned. */

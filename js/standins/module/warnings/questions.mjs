@@ -1,8 +1,8 @@
 /** Questions whose update is forgotten, or whose Collision's is, and that have not seen the ground. */
 import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
-import { $forgetShot, $placeOf } from "./shots.mjs";
-import { $hasWarned, $getOrInsert, $warn } from "./warn.mjs";
+import { $forgetShot } from "./shots.mjs";
+import { $distance, $getOrInsert, $hasWarned, $placeOf, $warn } from "./warn.mjs";
 
 /** After so many frames without an update, or walks of one agent, the agents' places are compared. */
 const $LONG_WITHOUT_UPDATE = 300;
@@ -15,14 +15,16 @@ const $LONG_WITHOUT_FRAMES = 3000;
 const $LONG_PLAY_WITHOUT_FRAMES = 300;
 
 /**
- * Of questions: how many updates they had before their Collision's first, after how many of these they moved an agent, and where it was first; the list
- * of their last update, and when it was; the first agent that they have moved since, and how often; where the list's first agents are once that is long
- * ago; the agents that the questions move themselves.
+ * Of questions: how many updates they had before their Collision's first, after how many of these they moved an agent, the first such agent, and where it
+ * was; the list of their last update, and when it was; the first agent that they have moved since, and how often; where the list's first agents are once
+ * that is long ago; the agents that the questions move themselves.
  */
 const $questions = /* @__PURE__ */ new WeakMap();
 
 function $newQuestions() {
-	return { updatesBefore: 0, playedBefore: 0, start: null, agents: null, updated: 0, walker: null, walks: 0, places: null, movers: new WeakSet() };
+	return {
+		updatesBefore: 0, playedBefore: 0, player: null, start: null, agents: null, updated: 0, walker: null, walks: 0, places: null, movers: new WeakSet(),
+	};
 }
 
 /** The questions that were asked last, and when. */
@@ -80,9 +82,10 @@ export function $warnOfNoFrames(queries) {
 	kept.updatesBefore++;
 	if (kept.walker !== null) {
 		kept.playedBefore++;
-		kept.start ??= $placeOf(kept.walker);
+		kept.player ??= kept.walker;
+		kept.start ??= $placeOf(kept.player);
 	}
-	const isPlayed = kept.playedBefore >= $LONG_PLAY_WITHOUT_FRAMES && kept.walker !== null && $placeOf(kept.walker).subtract(kept.start).length > kept.walker.size;
+	const isPlayed = kept.playedBefore >= $LONG_PLAY_WITHOUT_FRAMES && $distance(kept.player, kept.start) > kept.player.size;
 	if (!isPlayed && kept.updatesBefore < $LONG_WITHOUT_FRAMES) return;
 	const breeds = $breedsWithHandlers(collision);
 	$warn(`questions were updated ${kept.updatesBefore} times, and their Collision with handlers${breeds ? ` for ${breeds}` : ""} never, `

@@ -1,7 +1,7 @@
 /** Shots that pass through others untested: that sweep, but move before their first frame; and that do not sweep, and tunnel. */
 import { $greatestId } from "./frames.mjs";
 import { $greatLandOf } from "./properties.mjs";
-import { $getOrInsert, $hasWarned, $isSameStep, $rounded, $warn } from "./warn.mjs";
+import { $distance, $getOrInsert, $hasWarned, $isSameStep, $placeOf, $rounded, $warn } from "./warn.mjs";
 
 /** So many agents are looked at in a frame, and so many are followed. */
 const $MOST_PLACED = 100;
@@ -32,6 +32,10 @@ const $placed = /* @__PURE__ */ new Map();
  */
 const $shots = /* @__PURE__ */ new Map();
 
+function $newShot(place, step) {
+	return { place, step, repeats: 0, passed: null };
+}
+
 /** Agents that were put at the world's origin, where a new one is anyway. */
 export const $putAtOrigin = /* @__PURE__ */ new WeakSet();
 
@@ -54,15 +58,15 @@ export function $warnOfShots(collision, agents) {
 	for (const [agent, place] of $placed) {
 		if (!agents.includes(agent)) continue;
 		if (agent.sweeps) $lookAtFirstPath(agent, place);
-		else if ($shots.size < $MOST_PLACED && !$hasWarned("tunneling")) $shots.set(agent, { place: $placeOf(agent), step: new Vector3D(), repeats: 0, passed: null });
+		else if ($shots.size < $MOST_PLACED && !$hasWarned("tunneling")) $shots.set(agent, $newShot($placeOf(agent), new Vector3D()));
 	}
 	$placed.clear();
 }
 
-function $lookAtFirstPath(agent, { x, y, z }) {
-	const length = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
+function $lookAtFirstPath(agent, place) {
+	const length = $distance(agent, place);
 	if (!(length > $FAR * agent.size) || $FIELDS.some((name) => Object.hasOwn(agent, name))) return;
-	$warn(`${agent} sweeps, and was moved by ${$rounded(length)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
+	$warn(`${agent} sweeps, and was moved by ${$rounded(length)} between its place (${[place.x, place.y, place.z].map($rounded).join(", ")}) and its first frame. `
 		+ "This part of its path is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "first path");
 }
 
@@ -76,9 +80,12 @@ function $followShot(collision, agents, agent, shot, leastLeft) {
 		$shots.delete(agent);
 		return;
 	}
-	const isRepeated = $isSameStep(step, shot.step);
-	Object.assign(shot, { place, step, repeats: isRepeated ? shot.repeats + 1 : 0, passed: isRepeated ? shot.passed : null });
-	if (!isRepeated || !agents.includes(agent)) return;
+	if (!$isSameStep(step, shot.step)) {
+		$shots.set(agent, $newShot(place, step));
+		return;
+	}
+	Object.assign(shot, { place, step, repeats: shot.repeats + 1 });
+	if (!agents.includes(agent)) return;
 	shot.passed ??= $passedBy(collision, agents, agent, before, step, leastLeft);
 	if (!shot.passed || shot.repeats < $MANY_STEPS) return;
 	$warn(`${agent} does not sweep, and has passed through ${shot.passed}: it moves by ${$rounded(length)} patches in a frame, `
@@ -146,11 +153,6 @@ function $isBetween(collisionSystem, table, agent, from, step, other) {
 	} finally {
 		Object.assign(agent.$placement, { x: endX, y: endY, z: endZ });
 	}
-}
-
-/** Where an agent is. */
-export function $placeOf({ x, y, z }) {
-	return new Vector3D(x, y, z);
 }
 
 /** Forgets an agent that a question moves, because this tests its path. */

@@ -30,11 +30,11 @@ export const $restored = /* @__PURE__ */ new WeakSet();
 
 /** Warns of going back by a snapshot without traits if an agent is elsewhere than at any such snapshot: the game has not put it back. */
 export function $warnOfRestore(collision, bytes, agents) {
-	const taken = $withoutTraits.get(collision);
 	if (bytes?.byteAt($CONTENTS) & $HAS_TRAITS) {
 		for (const agent of agents) $restored.add(agent);
 		return;
 	}
+	const taken = $withoutTraits.get(collision);
 	if (!taken || taken.length > $MOST_SNAPSHOTS) return;
 	const ofThese = taken.filter((places) => places.length === agents.length && places.every(({ id }, i) => id === agents[i]?.id));
 	const movedSince = ofThese.map((places) => places.findIndex(({ x, y, z }, i) => agents[i].x !== x || agents[i].y !== y || agents[i].z !== z));

@@ -115,7 +115,7 @@ function $meantInCall(value, expected, given) {
 	const isSome = value !== null && /object|string/.test(typeof value) && typeof value.then !== "function";
 	if (given === "Collision.restore: bytes" && isSome) return $HINT_OF_SAVED;
 	const [, model] = /^BuiltInModel\.(capsule|box): (?:radius|x)$/.exec(given) ?? [];
-	if (model && typeof value === "string" && Number.isNaN(Number(value))) {
+	if (model && $isWord(value)) {
 		return `. The name comes last: ${model}(${model === "box" ? "4, 0.5, 3" : "0.3, 1.8"}, ${JSON.stringify(value)})`;
 	}
 	const [, point] = /^Agent\w+\.(near|nearest): agent$/.exec(given) ?? [];
@@ -123,11 +123,16 @@ function $meantInCall(value, expected, given) {
 	if (given.startsWith("new ") && typeof value === "number" && expected.startsWith("a Vector3D")) return ". Points come before numbers";
 	const [, call] = /^Agent\w+\.(\w+): radius$/.exec(given) ?? [];
 	const breeds = [value].flat();
-	if (call && breeds.length > 0 && breeds.every((each) => typeof each === "string" && Number.isNaN(Number(each)))) {
+	if (call && breeds.length > 0 && breeds.every($isWord)) {
 		return `. Breeds are in a filter after it: ${call}(..., Infinity, { breeds: ${JSON.stringify(breeds)} })`;
 	}
 	const isNested = Array.isArray(value) && given.endsWith("]") && /^an? (?:number|integer)/.test(expected);
 	return isNested ? ". All numbers are in one flat list: list.flat()" : "";
+}
+
+/** Whether a value is a text, and not that of a number. */
+function $isWord(value) {
+	return typeof value === "string" && Number.isNaN(Number(value));
 }
 
 /** What is meant by a handler's breed that is no string. */

@@ -26,9 +26,19 @@ export function $getOrInsert(map, object, make) {
 	return value;
 }
 
-/** Whether another step is nearly this one: frames do not last equally long. Both have x, y and z. */
-export function $isSameStep({ x, y, z }, other) {
-	return Math.hypot(other.x - x, other.y - y, other.z - z) <= 0.2 * Math.hypot(x, y, z);
+/** Where an agent is. */
+export function $placeOf({ x, y, z }) {
+	return new Vector3D(x, y, z);
+}
+
+/** How far apart two are that have x, y and z. */
+export function $distance({ x, y, z }, other) {
+	return Math.hypot(other.x - x, other.y - y, other.z - z);
+}
+
+/** Whether another step is nearly this one: frames do not last equally long. */
+export function $isSameStep(step, other) {
+	return $distance(step, other) <= 0.2 * Math.hypot(step.x, step.y, step.z);
 }
 
 /** What a function is, as the language says it: "Function", "AsyncFunction", "GeneratorFunction" or "AsyncGeneratorFunction". */

@@ -4,9 +4,15 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
 
     /**
-     * Visits a tree, and calls a NodeVisitor for the leaves of the search (see BoxTree): those that an axis-aligned box may meet while it moves
-     * (<code>visitMet()</code>), or those that are near it (<code>visitNear()</code>). The nearer of two children comes first. A ray is a box without
-     * extents (<code>visitAlong()</code>). A box that stands has no motion.
+     * Finds the leaves of a search in a tree (see BoxTree): those that an axis-aligned box may meet while it moves (<code>nextMet()</code>), or those that
+     * are near it (<code>nextNear()</code>). Of two children the nearer one comes first. A ray is a box without extents. A box that stands has a motion of
+     * length 0. The asker sets the box, begins, and takes one leaf after the other:
+     *
+     * <listing version="3.0">
+     * search.setExtents(extents, 0);
+     * search.beginMet(tree, depth, motion);
+     * for (var leaf:int = search.nextMet(); leaf &gt;= 0; leaf = search.nextMet())
+     * </listing>
      *
      * <p>A time is a multiple of the motion. The box meets a node between two times on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986).</p>
@@ -28,6 +34,12 @@ package starlogo.hierarchy
         // Smaller: such a touch may be missed. Larger: nodes are tested in vain.
         private static const SLACK:Number = 1.5e-8;
 
+        /**
+         * How far the search goes: a time of the motion, a distance along the ray, or a distance from the box. An asker that has found something makes it
+         * less, so that only better leaves follow.
+         */
+        public var limit:Number = 0;
+
         // The middle of the box at time 0, and half of its extents.
         private var _x:Number = 0;
         private var _y:Number = 0;
@@ -42,9 +54,13 @@ package starlogo.hierarchy
         private var _inverseZ:Number = STILL;
         private var _from:Number = 0;
 
-        // The nodes still to visit, and where the box meets them, or how far it is from them.
+        private var _tree:BoxTree = null;
+        private var _depth:int = 0;
+
+        // The nodes that wait, the next one last; when the box meets them, or how far it is from them; and how many they are.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _enters:Vector.<Number> = new Vector.<Number>();
+        private var _top:int = 0;
 
         private var _counts:TreeCounts;
 
@@ -79,22 +95,59 @@ package starlogo.hierarchy
             _halfZ = (extents[5] - extents[4]) / 2 + distance;
         }
 
-        /** Sets the motion. */
-        public function setMotion(motion:RelativeMotion):void
+        /** Begins with the leaves that the box may meet on a motion, until its latest time. @param depth how many levels of the tree are visited */
+        public function beginMet(tree:BoxTree, depth:int, motion:RelativeMotion):void
         {
+            limit = motion.latestTime;
             _inverseX = inverseOf(motion.x);
             _inverseY = inverseOf(motion.y);
             _inverseZ = inverseOf(motion.z);
             _from = 0;
+            begin(tree, depth);
         }
 
-        /** Sets a motion along an axis. @param axis 0, 1 or 2 @param sign 1, or -1 towards the smaller coordinates */
-        public function setAxis(axis:int, sign:int):void
+        /** Begins with the leaves that a ray may meet. No box is set before. @param depth how many levels of the tree are visited */
+        public function beginAlong(tree:BoxTree, depth:int, ray:Ray):void
         {
+            setCube(ray.origin.x, ray.origin.y, ray.origin.z, 0);
+            limit = ray.to;
+            _inverseX = inverseOf(ray.direction.x);
+            _inverseY = inverseOf(ray.direction.y);
+            _inverseZ = inverseOf(ray.direction.z);
+            _from = ray.from;
+            begin(tree, depth);
+        }
+
+        /**
+         * Begins with the nodes without children that the box may meet on an endless way along an axis.
+         *
+         * @param axis 0, 1 or 2
+         * @param sign 1, or -1 towards the smaller coordinates
+         */
+        public function beginAlongAxis(tree:BoxTree, axis:int, sign:int):void
+        {
+            limit = Infinity;
             _inverseX = axis == 0 ? sign : STILL;
             _inverseY = axis == 1 ? sign : STILL;
             _inverseZ = axis == 2 ? sign : STILL;
             _from = 0;
+            begin(tree, BoxTree.EXACT);
+        }
+
+        /** Begins with the leaves near the standing box, all of them. @param depth how many levels of the tree are visited */
+        public function beginNear(tree:BoxTree, depth:int):void
+        {
+            limit = Infinity;
+            begin(tree, depth);
+        }
+
+        private function begin(tree:BoxTree, depth:int):void
+        {
+            _tree = tree;
+            _depth = depth;
+            _nodes[0] = 0;
+            _enters[0] = -Infinity;
+            _top = 1;
         }
 
         private static function inverseOf(motion:Number):Number
@@ -107,65 +160,50 @@ package starlogo.hierarchy
             return STILL;
         }
 
-        /** Visits the nodes that a ray may meet. The visitor's limit must be set: the ray's end. */
-        public function visitAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
-        {
-            setCube(ray.origin.x, ray.origin.y, ray.origin.z, 0);
-            _inverseX = inverseOf(ray.direction.x);
-            _inverseY = inverseOf(ray.direction.y);
-            _inverseZ = inverseOf(ray.direction.z);
-            _from = ray.from;
-            visitMet(tree, depth, visitor);
-        }
-
         /**
-         * Visits the nodes that the box may meet during its motion. The root is visited untested. The child that is visited next does not pass the
-         * stack. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One function does
-         * it all, because calls for each child take long in Adobe's VM.
-         *
-         * @param tree the tree
-         * @param depth how many of its levels are visited
-         * @param visitor its limit must be set: the latest time that counts
+         * The next leaf that the box may meet within the limit; -1 if there is none. The root is visited untested. On the way down, the nearer child does not
+         * pass the stack. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One function
+         * does it all, because calls for each child take long in Adobe's VM.
          */
-        public function visitMet(tree:BoxTree, depth:int, visitor:NodeVisitor):void
+        public function nextMet():int
         {
-            var slack:Number = SLACK * (tree.boundingRadius + _halfX + _halfY + _halfZ);
+            var tree:BoxTree = _tree;
+            var boxes:Vector.<Number> = tree.boxes;
+            var children:Vector.<int> = tree.left;
+            var nodes:Vector.<int> = _nodes;
+            var enters:Vector.<Number> = _enters;
+            // An exact search ends at the nodes without children. It need not read another column.
+            var isLimited:Boolean = _depth < BoxTree.EXACT;
             var fromX:Number = _x;
             var fromY:Number = _y;
             var fromZ:Number = _z;
+            var slack:Number = SLACK * (tree.boundingRadius + _halfX + _halfY + _halfZ);
             var widerX:Number = _halfX + slack;
             var widerY:Number = _halfY + slack;
             var widerZ:Number = _halfZ + slack;
             var inverseX:Number = _inverseX;
             var inverseY:Number = _inverseY;
             var inverseZ:Number = _inverseZ;
-            var isStill:Boolean = inverseX == STILL && inverseY == STILL && inverseZ == STILL;
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
-            var boxes:Vector.<Number> = tree.boxes;
-            var children:Vector.<int> = tree.left;
-            var ends:Vector.<int> = tree.leafUpToDepth;
-            // An exact visit ends at the nodes without children. It need not read another column.
-            var isLimited:Boolean = depth < BoxTree.EXACT;
-            var nodes:Vector.<int> = _nodes;
-            var enters:Vector.<Number> = _enters;
+            var isStill:Boolean = inverseX == STILL && inverseY == STILL && inverseZ == STILL;
             var begin:Number = _from;
-            var latest:Number = visitor.limit < LATEST ? visitor.limit : LATEST;
-            var visits:int = 0;
-            var top:int = 0;
-            var node:int = 0;
-            while (true)
+            var latest:Number = limit < LATEST ? limit : LATEST;
+            var top:int = _top;
+            while (top > 0)
             {
-                visits++;
-                var left:int = children[node];
-                if (left == 0 || isLimited && ends[node] >= depth)
+                top--;
+                var node:int = enters[top] > latest ? -1 : nodes[top];
+                while (node >= 0)
                 {
-                    visitor.visit(tree, node);
-                    latest = visitor.limit < latest ? visitor.limit : latest;
-                }
-                else
-                {
+                    _counts.nodeVisits++;
+                    var left:int = children[node];
+                    if (left == 0 || isLimited && tree.leafUpToDepth[node] >= _depth)
+                    {
+                        _top = top;
+                        return node;
+                    }
                     // of the children that are met, the one to visit next, and when it is entered
                     var next:int = -1;
                     var enterNext:Number = 0;
@@ -202,7 +240,6 @@ package starlogo.hierarchy
                         enter = enterZ > enter ? enterZ : enter;
                         if (next < 0)
                         {
-                            // the first child that is met
                             next = child;
                             enterNext = enter;
                             continue;
@@ -214,26 +251,11 @@ package starlogo.hierarchy
                         next = isRightNext ? child : next;
                         top++;
                     }
-                    if (next >= 0)
-                    {
-                        // it does not pass the stack
-                        node = next;
-                        continue;
-                    }
+                    node = next;
                 }
-                // The way down has ended: the last node that waits and still counts is next.
-                top--;
-                while (top >= 0 && enters[top] > latest)
-                {
-                    top--;
-                }
-                if (top < 0)
-                {
-                    break;
-                }
-                node = nodes[top];
             }
-            _counts.nodeVisits += visits;
+            _top = 0;
+            return -1;
         }
 
         // Whether the box's middle is nearer to the right child of a node than to the left one, along the axis of their split.
@@ -253,35 +275,28 @@ package starlogo.hierarchy
             return 2 * coordinate - tree.boxes[int(at + 6)] - tree.boxes[at] >= 0;
         }
 
-        /**
-         * Visits the nodes that are near the standing box.
-         *
-         * @param tree the tree
-         * @param depth how many of its levels are visited
-         * @param visitor its limit must be set
-         */
-        public function visitNear(tree:BoxTree, depth:int, visitor:NodeVisitor):void
+        /** The next leaf near the standing box, within the limit; -1 if there is none. */
+        public function nextNear():int
         {
+            var tree:BoxTree = _tree;
             var nodes:Vector.<int> = _nodes;
             var distances:Vector.<Number> = _enters;
             var slack:Number = SLACK * tree.boundingRadius;
-            var top:int = 1;
-            nodes[0] = 0;
-            distances[0] = 0;
+            var top:int = _top;
             // nothing is nearer than 0
-            while (top > 0 && visitor.limit > 0)
+            while (top > 0 && limit > 0)
             {
                 top--;
                 var node:int = nodes[top];
-                if (distances[top] > visitor.limit)
+                if (distances[top] > limit)
                 {
                     continue;
                 }
                 _counts.nodeVisits++;
-                if (tree.leafUpToDepth[node] >= depth)
+                if (tree.leafUpToDepth[node] >= _depth)
                 {
-                    visitor.visit(tree, node);
-                    continue;
+                    _top = top;
+                    return node;
                 }
                 node = tree.left[node];
                 nodes[top] = node;
@@ -298,6 +313,7 @@ package starlogo.hierarchy
                 }
                 top += 2;
             }
+            return -1;
         }
 
         // Writes how far the box is from the box of a node, less a slack.

@@ -1,6 +1,5 @@
-// The package hierarchy keeps, builds and searches trees of boxes. A BoxTreeBuilder makes the nodes, and a BoxRefit moves them. A BoxSearch visits the nodes
-// of one tree, and calls a NodeVisitor at its leaves. The package solid asks trees, and visits pairs of nodes of two. Read BoxTree first, then BoxSearch
-// and NodeVisitor.
+// The package hierarchy keeps, builds and searches trees of boxes. A BoxTreeBuilder makes the nodes, and a BoxRefit moves them. A BoxSearch finds
+// the leaves of one tree near a box or a ray. The package solid asks trees, and visits pairs of nodes of two. Read BoxTree first, then BoxSearch.
 
 package starlogo.hierarchy
 {

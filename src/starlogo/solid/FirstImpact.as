@@ -18,8 +18,12 @@ package starlogo.solid
      */
     public final class FirstImpact
     {
-        /** The time of the earliest touch so far, or RelativeMotion.NEVER. Read only. */
+        /** The time of the earliest touch so far, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
+
+        /** The chosen one: the index of the triangle, or of the pair's two. Pairs of nodes have their numbers here. -1 if nothing touches. Who offers writes them. */
+        public var a:int = -1;
+        public var b:int = -1;
 
         // The chosen one's time, which counts as earlier the more squarely the motion meets the plane.
         private var _rank:Number = RelativeMotion.NEVER;
@@ -28,6 +32,7 @@ package starlogo.solid
         public function reset():void
         {
             time = _rank = RelativeMotion.NEVER;
+            a = b = -1;
         }
 
         /**

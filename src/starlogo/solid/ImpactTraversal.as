@@ -13,18 +13,14 @@ package starlogo.solid
      */
     internal final class ImpactTraversal extends BestPairTraversal
     {
-        /** When the two first touch, or RelativeMotion.NEVER. Read only, but for the kernel, as the next two. */
-        public var firstTime:Number = RelativeMotion.NEVER;
-
-        /** The leaves that touch first, or the indices of triangles if a kernel tests these. Undefined if none touch. */
-        public var firstA:int = 0;
-        public var firstB:int = 0;
-
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPair = new BoxPair();
 
         // The motion, up to the best time so far.
         private var _motion:RelativeMotion;
+
+        // Receives the first touch.
+        private var _first:FirstImpact;
 
         /** @param counts counts the pairs of nodes that are visited */
         public function ImpactTraversal(counts:TreeCounts)
@@ -35,18 +31,21 @@ package starlogo.solid
         /**
          * Finds when two trees first touch, and which leaves or triangles do.
          *
-         * @param motion of tree b, from the pose on; its time and its latest time are overwritten
+         * @param motion of tree b, from the pose on; receives the time, and its latest time is overwritten
          * @param kernel tests the triangles of two leaves, if the trees are exact. It has begun with them and this motion
+         * @param out receives the time and the leaves, or the indices of the triangles if the trees are exact
          */
-        public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:TrianglePairKernel):void
+        public function findFirst(trees:TreePair, motion:RelativeMotion, kernel:TrianglePairKernel, out:FirstImpact):void
         {
             var relative:Placement = trees.pose.placement;
             _pair.setRotation(relative);
             _motion = motion;
-            firstTime = RelativeMotion.NEVER;
+            _first = out;
+            out.reset();
             _pair.margin = trees.pose.margin + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
             visitPairs(trees, kernel);
+            motion.time = out.time;
         }
 
         /**
@@ -66,8 +65,8 @@ package starlogo.solid
         {
             if (trees.isExact)
             {
-                kernel.findEarlier(a, b, this);
-                if (firstTime != RelativeMotion.NEVER)
+                kernel.findEarlier(a, b, _first);
+                if (_first.time != RelativeMotion.NEVER)
                 {
                     // up to Tolerances.SAME_TIME later than the first time: a pair that touches by then may still count as the first
                     limit = _motion.latestTime;
@@ -78,9 +77,9 @@ package starlogo.solid
             _sweep.findTimeOfImpact(_pair, _motion);
             if (_motion.time < limit)
             {
-                limit = firstTime = _motion.time;
-                firstA = a;
-                firstB = b;
+                limit = _first.time = _motion.time;
+                _first.a = a;
+                _first.b = b;
             }
         }
 

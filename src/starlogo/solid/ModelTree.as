@@ -1,11 +1,11 @@
 // The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
 // 
-// who is asked       | about what             | who visits the tree, and decides by boxes            | who decides by triangles
-// TreeStructureQuery | a tree and a structure | NodeImpactVisitor, NodeDistanceVisitor               | TriangleImpactVisitor, TriangleDistanceVisitor
+// who is asked       | about what             | who decides by boxes                                 | who decides by triangles
+// TreeStructureQuery | a tree and a structure | who is asked                                         | StructureTriangleSearch
 // TreeTreeQuery      | two trees              | OverlapTraversal, ImpactTraversal, DistanceTraversal | TrianglePairKernel, called by the three
 // TreeRayQuery       | a tree and a ray       | who is asked                                         | who is asked, by a ShearedRay
 // 
-// A BoxSearch of the package hierarchy calls a Visitor for each leaf of one tree. A Traversal visits pairs of nodes of two trees. An Impact is when two
+// A BoxSearch of the package hierarchy finds the leaves of one tree. A Traversal visits pairs of nodes of two trees. An Impact is when two
 // first touch, and where: of two triangles, TriangleContactFinder finds the contact, and of boxes StructurePairs. A structure that stands is
 // a motion of length 0. What is inside of a surface, all three ask ModelTree, and it asks the package solid.interior.
 // 
@@ -16,11 +16,12 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxRefit;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.solid.interior.ClearRayVisitor;
     import starlogo.solid.interior.Interior;
     import starlogo.solid.interior.InteriorBuilder;
     import starlogo.solid.interior.SurfaceTopology;
@@ -38,7 +39,8 @@ package starlogo.solid
      */
     public final class ModelTree
     {
-        private static var sClearRays:ClearRayVisitor = new ClearRayVisitor();
+        // For hasClearRay().
+        private static const SEARCH:BoxSearch = new BoxSearch();
 
         /** @private The tree of the model's triangles or vertices. */
         engine var boxTree:BoxTree;
@@ -156,11 +158,30 @@ package starlogo.solid
             {
                 return false;
             }
-            if (_interior == null && sClearRays.hasClearRay(center, boxTree))
+            if (_interior == null && hasClearRay(center))
             {
                 return false;
             }
             return preparedInterior().hasClosedShell && _interior.isInside(center);
+        }
+
+        // Whether a ray from a point along one of the six directions of the axes meets no node without children. Then no surface is around the point. This
+        // needs nothing but the tree. It is asked before the inside of a model is known, because a level is mostly open to the sky.
+        private function hasClearRay(point:Vector3D):Boolean
+        {
+            var boxes:Vector.<Number> = boxTree.boxes;
+            // Corners may move when seams are welded.
+            var slack:Number = 8 * Tolerances.WELDING * (boxTree.boundingRadius + Math.abs(boxes[0]) + Math.abs(boxes[1]) + Math.abs(boxes[2]));
+            SEARCH.setCube(point.x, point.y, point.z, slack);
+            for (var i:int = 5; i >= 0; i--)
+            {
+                SEARCH.beginAlongAxis(boxTree, i >> 1, (i & 1) == 0 ? -1 : 1);
+                if (SEARCH.nextMet() < 0)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         /**

@@ -5,7 +5,6 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeVisitor;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
@@ -25,29 +24,10 @@ package starlogo.solid
      *
      * @private
      */
-    public final class TreeRayQuery extends NodeVisitor
+    public final class TreeRayQuery
     {
-        // The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it.
-        private static const NOT_WIDENED:Number = 1;
-
-        // What visit() does with a leaf of the search: it finds the triangle or the box that the ray meets first, or adds all crossings with them.
-        private static const FIRST_TRIANGLE:int = 0;
-        private static const FIRST_BOX:int = 1;
-        private static const ALL_TRIANGLES:int = 2;
-        private static const ALL_BOXES:int = 3;
-
-        // One of these.
-        private var _wanted:int = FIRST_TRIANGLE;
-
         private var _search:BoxSearch = new BoxSearch();
-        private var _ray:Ray = null;
         private var _start:Vector3D = new Vector3D();
-
-        // Receives all crossings, if they are wanted.
-        private var _all:RayCrossings = null;
-
-        // The triangle's index, or the node, that the ray meets first so far, or -1.
-        private var _first:int = -1;
 
         // If triangles decide: the ray for them, and the corners of the current one.
         private var _shearedRay:ShearedRay = new ShearedRay();
@@ -85,8 +65,14 @@ package starlogo.solid
                 out.addInside(ray);
             }
             var isExact:Boolean = depth == BoxTree.EXACT;
-            _all = out;
-            search(model, depth, ray, isExact ? ALL_TRIANGLES : ALL_BOXES);
+            if (isExact)
+            {
+                addTriangles(model.treeFor(depth), ray, out);
+            }
+            else
+            {
+                addBoxes(model.boxTree, depth, ray, out);
+            }
             return isExact;
         }
 
@@ -99,109 +85,91 @@ package starlogo.solid
         /** Finds where a ray first meets the surface, wherever it begins. The parameters are those of <code>find()</code>. */
         internal function findOnSurface(model:ModelTree, depth:int, ray:Ray, out:RayCrossing):Boolean
         {
-            if (depth != BoxTree.EXACT)
-            {
-                search(model, depth, ray, FIRST_BOX);
-                return _first >= 0 && enters(model.boxTree, _first, out);
-            }
-            search(model, depth, ray, FIRST_TRIANGLE);
-            if (_first >= 0)
-            {
-                model.boxTree.readTriangle(_first, _corners);
-                _shearedRay.writeFirst(_corners, model.boxTree.primitives[_first], out);
-            }
-            return _first >= 0;
+            return depth == BoxTree.EXACT ? findFirstTriangle(model.treeFor(depth), ray, out) : findFirstBox(model.boxTree, depth, ray, out);
         }
 
-        // Visits what the ray may meet.
-        private function search(model:ModelTree, depth:int, ray:Ray, wanted:int):void
-        {
-            var tree:BoxTree = model.treeFor(depth);
-            _ray = ray;
-            _wanted = wanted;
-            _first = -1;
-            limit = ray.to;
-            if (depth == BoxTree.EXACT)
-            {
-                _shearedRay.setTo(ray, tree.radiusAboutOrigin);
-            }
-            _search.visitAlong(ray, tree, depth, this);
-        }
-
-        /** @inheritDoc */
-        override public function visit(tree:BoxTree, node:int):void
-        {
-            switch (_wanted)
-            {
-                case FIRST_TRIANGLE:
-                    findFirstTriangle(tree, node);
-                    break;
-                case FIRST_BOX:
-                    findFirstBox(tree, node);
-                    break;
-                case ALL_TRIANGLES:
-                    addTriangles(tree, node);
-                    break;
-                default:
-                    addBox(tree, node);
-                    break;
-            }
-        }
-
-        // Finds whether the ray meets a triangle of a node earlier than those before.
-        private function findFirstTriangle(tree:BoxTree, node:int):void
+        // Finds where the ray first meets a triangle. Returns whether it does.
+        private function findFirstTriangle(tree:BoxTree, ray:Ray, out:RayCrossing):Boolean
         {
             var points:Vector.<Number> = tree.vertices;
             var corners:Vector.<int> = tree.cornerOffsets;
-            var end:int = tree.endPrimitive[node];
-            for (var i:int = tree.firstPrimitive[node]; i < end; i++)
+            var first:int = -1;
+            _shearedRay.setTo(ray, tree.radiusAboutOrigin);
+            _search.beginAlong(tree, BoxTree.EXACT, ray);
+            for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
             {
-                if (_shearedRay.findEarlier(points, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
+                var end:int = tree.endPrimitive[leaf];
+                for (var i:int = tree.firstPrimitive[leaf]; i < end; i++)
                 {
-                    _first = i;
-                    limit = _shearedRay.first.distance;
+                    if (_shearedRay.findEarlier(points, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
+                    {
+                        first = i;
+                        _search.limit = _shearedRay.first.distance;
+                    }
+                }
+            }
+            if (first >= 0)
+            {
+                tree.readTriangle(first, _corners);
+                _shearedRay.writeFirst(_corners, tree.primitives[first], out);
+            }
+            return first >= 0;
+        }
+
+        // Finds where the ray first enters the box of a leaf. Returns whether it does.
+        private function findFirstBox(tree:BoxTree, depth:int, ray:Ray, out:RayCrossing):Boolean
+        {
+            var isMet:Boolean = false;
+            _search.beginAlong(tree, depth, ray);
+            for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
+            {
+                if (findSpan(tree, leaf, ray) && _entry.setToEntry(ray, _span) && !(isMet && _entry.distance >= out.distance))
+                {
+                    isMet = out.setToEntry(ray, _span);
+                    _search.limit = out.distance;
+                    if (!(out.distance > ray.from))
+                    {
+                        // no box is entered before the ray's beginning
+                        break;
+                    }
+                }
+            }
+            return isMet;
+        }
+
+        // Adds all crossings with triangles.
+        private function addTriangles(tree:BoxTree, ray:Ray, out:RayCrossings):void
+        {
+            _shearedRay.setTo(ray, tree.radiusAboutOrigin);
+            _search.beginAlong(tree, BoxTree.EXACT, ray);
+            for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
+            {
+                for (var i:int = tree.firstPrimitive[leaf]; i < tree.endPrimitive[leaf]; i++)
+                {
+                    tree.readTriangle(i, _corners);
+                    _shearedRay.addCrossing(_corners, tree.primitives[i], out);
                 }
             }
         }
 
-        // Finds whether the ray enters the box of a node earlier than those before.
-        private function findFirstBox(tree:BoxTree, node:int):void
+        // Adds where the ray enters and leaves the boxes of leaves.
+        private function addBoxes(tree:BoxTree, depth:int, ray:Ray, out:RayCrossings):void
         {
-            if (enters(tree, node, _entry) && (_entry.distance < limit || _first < 0))
+            _search.beginAlong(tree, depth, ray);
+            for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
             {
-                _first = node;
-                limit = _entry.distance;
-                if (!(limit > _ray.from))
+                if (findSpan(tree, leaf, ray))
                 {
-                    // no node can be met before the ray's beginning
-                    endSearch();
+                    out.addSpan(ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
                 }
             }
         }
 
-        // Adds all crossings with the triangles of a node.
-        private function addTriangles(tree:BoxTree, node:int):void
+        // Finds which part of the ray's line is in the box of a node. Returns whether any is. Nodes are enlarged as it is: widened, a node that is only
+        // touched would be entered before a larger node around it.
+        private function findSpan(tree:BoxTree, node:int, ray:Ray):Boolean
         {
-            for (var i:int = tree.firstPrimitive[node]; i < tree.endPrimitive[node]; i++)
-            {
-                tree.readTriangle(i, _corners);
-                _shearedRay.addCrossing(_corners, tree.primitives[i], _all);
-            }
-        }
-
-        // Adds where the ray enters and leaves the box of a node.
-        private function addBox(tree:BoxTree, node:int):void
-        {
-            if (SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span))
-            {
-                _all.addSpan(_ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
-            }
-        }
-
-        // Finds where the ray enters the box of a node. Returns whether it does.
-        private function enters(tree:BoxTree, node:int, out:RayCrossing):Boolean
-        {
-            return SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span) && out.setToEntry(_ray, _span);
+            return SpanFinder.findInBox(ray, tree.boxOf(node), 1, _span);
         }
     }
 }

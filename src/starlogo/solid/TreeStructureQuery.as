@@ -1,12 +1,14 @@
 package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
@@ -27,23 +29,22 @@ package starlogo.solid
         private var _depth:int = 0;
         private var _structure:BoundingStructure = null;
 
-        private var _nodeImpact:NodeImpactVisitor;
-        private var _nodeDistance:NodeDistanceVisitor;
-        private var _triangleImpact:TriangleImpactVisitor;
-        private var _triangleDistance:TriangleDistanceVisitor;
-
         // Has the structure in a's space as a shape.
         private var _kernel:TriangleKernel = new TriangleKernel();
 
+        // If triangles decide.
+        private var _triangles:StructureTriangleSearch;
+
+        // If nodes decide: finds the leaves near the structure's extents (minX, maxX, minY, ...), and the closest points of a leaf.
+        private var _search:BoxSearch;
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _measured:ClosestPoints = new ClosestPoints();
 
         /** @param counts counts what the questions take */
         public function TreeStructureQuery(counts:TreeCounts)
         {
-            _nodeImpact = new NodeImpactVisitor(counts);
-            _nodeDistance = new NodeDistanceVisitor(counts);
-            _triangleImpact = new TriangleImpactVisitor(_kernel, counts);
-            _triangleDistance = new TriangleDistanceVisitor(_kernel, counts);
+            _triangles = new StructureTriangleSearch(_kernel, counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -67,7 +68,7 @@ package starlogo.solid
         public function findNearestTriangle():int
         {
             pose.setBetween(placementA, placementB, RelativeMotion.NONE, 0);
-            var index:int = _depth == BoxTree.EXACT ? _triangleDistance.findClosest(_tree.treeFor(_depth), placed(), _measured) : -1;
+            var index:int = _depth == BoxTree.EXACT ? _triangles.findNearest(_tree.treeFor(_depth), placed(), _measured) : -1;
             return index < 0 ? -1 : _tree.boxTree.primitives[index];
         }
 
@@ -87,7 +88,7 @@ package starlogo.solid
             }
             if (_depth == BoxTree.EXACT)
             {
-                _triangleImpact.findContact(_tree.boxTree, found, motion, out);
+                _triangles.findContact(_tree.boxTree, found, motion, out);
                 out.triangle = _tree.boxTree.primitives[found];
             }
             else
@@ -99,23 +100,57 @@ package starlogo.solid
         // Finds which triangle, by its index, or else which node is touched first. Returns -1 if none is.
         private function findFirstTouched(motion:RelativeMotion):int
         {
-            return _depth == BoxTree.EXACT
-                ? _triangleImpact.findFirstTriangle(_tree.treeFor(_depth), placed(), pose, motion)
-                : _nodeImpact.findFirstNode(_tree.boxTree, _depth, placedWidened(), motion);
+            return _depth == BoxTree.EXACT ? _triangles.findFirst(_tree.treeFor(_depth), placed(), pose, motion) : findFirstNode(motion);
+        }
+
+        // Finds which leaf is touched first. Returns -1 if none is. What stands touches at time 0 or never.
+        private function findFirstNode(motion:RelativeMotion):int
+        {
+            var tree:BoxTree = _tree.boxTree;
+            var structure:BoundingStructure = beginWithExtents();
+            var isStill:Boolean = motion.isStill;
+            var first:int = -1;
+            _search.beginMet(tree, _depth, motion);
+            var leaf:int = _search.nextMet();
+            while (leaf >= 0)
+            {
+                var box:Box = tree.boxOf(leaf);
+                if (isStill)
+                {
+                    motion.time = StructurePairs.areTouching(box, structure) ? 0 : RelativeMotion.NEVER;
+                }
+                else
+                {
+                    motion.latestTime = _search.limit;
+                    StructurePairs.findTimeOfImpact(structure, box, motion);
+                }
+                if (motion.time < _search.limit || first < 0 && motion.time == _search.limit)
+                {
+                    first = leaf;
+                    _search.limit = motion.time;
+                }
+                // nothing is touched earlier than at the beginning
+                leaf = first < 0 || _search.limit > 0 ? _search.nextMet() : -1;
+            }
+            motion.time = first < 0 ? RelativeMotion.NEVER : _search.limit;
+            return first;
+        }
+
+        // Sets the box of the search to the structure's extents. Returns the structure, enlarged by the margin of the pose because boxes
+        // decide. The kernel's shape is not enlarged.
+        private function beginWithExtents():BoundingStructure
+        {
+            var structure:BoundingStructure = placed();
+            structure.widen(pose.margin);
+            structure.extentsInto(_extents);
+            _search.setExtents(_extents, 0);
+            return structure;
         }
 
         // The structure in a's space. The next call overwrites it.
         private function placed():BoundingStructure
         {
             return _kernel.setStructure(_structure, pose.placement);
-        }
-
-        // The same, enlarged by the margin of the pose, because boxes decide. The shape is not enlarged.
-        private function placedWidened():BoundingStructure
-        {
-            var structure:BoundingStructure = placed();
-            structure.widen(pose.margin);
-            return structure;
         }
 
         /** @inheritDoc */
@@ -129,11 +164,33 @@ package starlogo.solid
         {
             if (_depth == BoxTree.EXACT)
             {
-                _triangleDistance.findClosest(_tree.treeFor(_depth), placed(), out);
+                _triangles.findNearest(_tree.treeFor(_depth), placed(), out);
             }
             else
             {
-                _nodeDistance.findClosest(_tree.boxTree, _depth, placedWidened(), out);
+                findClosestOfNodes(out);
+            }
+        }
+
+        // Finds the closest points of the structure and the leaves. The distances are nested, as those of DistanceTraversal.
+        private function findClosestOfNodes(out:ClosestPoints):void
+        {
+            var tree:BoxTree = _tree.boxTree;
+            var structure:BoundingStructure = beginWithExtents();
+            var extents:Vector.<Number> = _extents;
+            // the radius of the tree, and half of the structure's extents: the rounding error is relative to them
+            var radii:Number = tree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
+            out.distance = Infinity;
+            _search.beginNear(tree, _depth);
+            for (var leaf:int = _search.nextNear(); leaf >= 0; leaf = _search.nextNear())
+            {
+                StructurePairs.findClosest(tree.boxOf(leaf), structure, _measured);
+                DistanceTraversal.subtractSlack(_measured, tree.levelOf(leaf), 0, radii);
+                if (_measured.distance < out.distance)
+                {
+                    out.copyFrom(_measured);
+                    _search.limit = out.distance;
+                }
             }
         }
 

@@ -34,6 +34,9 @@ package starlogo.solid
         private var _impact:ImpactTraversal;
         private var _distance:DistanceTraversal;
 
+        // The leaves or triangles of the two that touch first.
+        private var _first:FirstImpact = new FirstImpact();
+
         // The pose of a in b's space, and a point of one of the two.
         private var _inverse:Placement = new Placement();
         private var _point:Vector3D = new Vector3D();
@@ -79,19 +82,18 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
-            _impact.findFirstPair(_trees, motion, _pairKernel.begin(_trees, motion));
-            motion.time = _impact.firstTime;
+            _impact.findFirst(_trees, motion, _pairKernel.begin(_trees, motion), _first);
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
                 return;
             }
             if (_trees.isExact)
             {
-                _contactFinder.find(_trees, _impact.firstA, _impact.firstB, motion, out);
+                _contactFinder.find(_trees, _first.a, _first.b, motion, out);
             }
             else
             {
-                findContactOfNodes(_impact.firstA, _impact.firstB, motion, out);
+                findContactOfNodes(_first.a, _first.b, motion, out);
             }
         }
 

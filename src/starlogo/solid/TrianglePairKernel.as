@@ -42,9 +42,6 @@ package starlogo.solid
         // The plane of b's current triangle.
         private var _planeOfB:TrianglePlane = new TrianglePlane();
 
-        // Chooses the two triangles that touch first.
-        private var _firstImpact:FirstImpact = new FirstImpact();
-
         /** @param counts counts the pairs of triangles that are tested or measured */
         public function TrianglePairKernel(counts:TreeCounts)
         {
@@ -62,7 +59,6 @@ package starlogo.solid
         {
             _trees = trees;
             _motion = motion;
-            _firstImpact.reset();
             _firstPlaced = -1;
             _planeOfA.cullDistance = trees.cullDistance(motion);
             return this;
@@ -94,18 +90,18 @@ package starlogo.solid
         /**
          * Finds when triangles of two leaves first touch.
          *
-         * @param out receives the time and the indices of the two, if they are the first ones to touch so far
+         * @param out the first touch so far; receives that of the two leaves if it counts as earlier
          */
-        public function findEarlier(a:int, b:int, out:ImpactTraversal):void
+        public function findEarlier(a:int, b:int, out:FirstImpact):void
         {
             var first:int = _trees.a.firstPrimitive[a];
             var end:int = _trees.a.endPrimitive[a];
             // Higher indices come first, as the traversal visits the right child first if both bounds are equal.
-            for (var i:int = placeTriangles(b) - 1; i >= 0 && _firstImpact.time > 0; i--)
+            for (var i:int = placeTriangles(b) - 1; i >= 0 && out.time > 0; i--)
             {
                 setTriangleOfB(i);
                 _planeOfB.setTriangle(_placed, 9 * i);
-                for (var indexA:int = end - 1; indexA >= first && _firstImpact.time > 0; indexA--)
+                for (var indexA:int = end - 1; indexA >= first && out.time > 0; indexA--)
                 {
                     if (!areExtentsWithin(0, _extents, _trees.a, indexA))
                     {
@@ -117,14 +113,13 @@ package starlogo.solid
                         continue;
                     }
                     _kernel.findTimeOfImpact(_cornersOfA, _motion);
-                    if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
+                    if (out.offer(_motion, _planeOfA, _planeOfB))
                     {
-                        out.firstA = indexA;
-                        out.firstB = _firstPlaced + i;
+                        out.a = indexA;
+                        out.b = _firstPlaced + i;
                     }
                 }
             }
-            out.firstTime = _firstImpact.time;
         }
 
         /**

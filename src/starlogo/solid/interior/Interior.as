@@ -17,18 +17,16 @@ package starlogo.solid.interior
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeVisitor;
 
     /**
-     * Says which points are inside of a model's surface, by the winding numbers of its shells. As a visitor, it counts the triangles that a ray along an
-     * axis crosses.
+     * Says which points are inside of a model's surface, by the winding numbers of its shells: it counts the triangles that a ray along an axis crosses.
      *
      * <p>In the arithmetic, p, q and r are the corners of a triangle. Each has three coordinates as seen from the ray's origin: a along the ray's axis,
      * b and c along the other two. So qb is the b of corner q.</p>
      *
      * @private
      */
-    public final class Interior extends NodeVisitor
+    public final class Interior
     {
         /** The tree of the triangles. */
         public var tree:BoxTree;
@@ -69,7 +67,6 @@ package starlogo.solid.interior
             var box:Vector.<Number> = tree.boxes;
             this.tree = tree;
             this.surface = surface;
-            limit = Infinity;
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
         }
 
@@ -136,8 +133,14 @@ package starlogo.solid.interior
             _isBackward = _a < tree.boxes[_axis];
             var slack:Number = surface.widestSeam + Tolerances.ROUNDING * tree.radiusAboutOrigin;
             _search.setCube(x, y, z, slack);
-            _search.setAxis(_axis, _isBackward ? -1 : 1);
-            _search.visitMet(tree, BoxTree.EXACT, this);
+            _search.beginAlongAxis(tree, _axis, _isBackward ? -1 : 1);
+            for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
+            {
+                for (var index:int = tree.firstPrimitive[leaf]; index < tree.endPrimitive[leaf]; index++)
+                {
+                    addIfCrossed(index);
+                }
+            }
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 var shell:int = _crossed[i];
@@ -145,16 +148,6 @@ package starlogo.solid.interior
                 {
                     _windings[surface.shellStates[shell]] = 0;
                 }
-            }
-        }
-
-        /** @inheritDoc */
-        override public function visit(tree:BoxTree, node:int):void
-        {
-            var end:int = tree.endPrimitive[node];
-            for (var i:int = tree.firstPrimitive[node]; i < end; i++)
-            {
-                addIfCrossed(i);
             }
         }
 

@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
@@ -10,29 +11,25 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
     /**
-     * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. Their extents rule out most triangles;
-     * SweptAxes those beside a motion; their planes come last.
+     * Finds the triangle of a model that a solid structure first touches, or that is nearest to it. Extents rule out most triangles, SweptAxes those
+     * beside a motion; the triangles' planes come last.
      */
-    internal final class TriangleImpactVisitor extends NodeVisitor
+    internal final class StructureTriangleSearch
     {
-        // Finds the nodes near the structure's extents.
+        // Finds the leaves near the structure's extents.
         private var _search:BoxSearch;
+        private var _kernel:TriangleKernel;
         private var _counts:TreeCounts;
 
-        // The structure's motion, which has the times of the current triangle.
-        private var _motion:RelativeMotion;
-        private var _kernel:TriangleKernel;
-
-        // The extents of the structure's core where it is at time 0, and on its motion until the limit: minX, maxX, minY, ... The core of a round
-        // structure is a point or a segment.
-        private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        // The structure's extents: minX, maxX, minY, ... While it moves they are those of its core at time 0: the core of a round structure is a point or
+        // a segment. And the extents of the core on its motion until the latest time.
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _sweptExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // Separates most triangles from the moving structure.
@@ -42,15 +39,14 @@ package starlogo.solid
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _plane:TrianglePlane = new TrianglePlane();
 
-        // The index of the triangle that is touched first, and what chooses it.
-        private var _found:int = -1;
-        private var _firstImpact:FirstImpact = new FirstImpact();
+        // The triangle that is touched first.
+        private var _first:FirstImpact = new FirstImpact();
 
         /**
          * @param kernel has the structure as its shape
          * @param counts counts the nodes that are visited and the triangles that are tested
          */
-        public function TriangleImpactVisitor(kernel:TriangleKernel, counts:TreeCounts)
+        public function StructureTriangleSearch(kernel:TriangleKernel, counts:TreeCounts)
         {
             _kernel = kernel;
             _counts = counts;
@@ -67,14 +63,25 @@ package starlogo.solid
          *     structure touches at time 0 or never
          * @return the triangle's index, or -1
          */
-        public function findFirstTriangle(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findFirst(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
-            var extents:Vector.<Number> = _coreExtents;
+            beginSweep(tree, structure, pose, motion);
+            var leaf:int = _search.nextMet();
+            while (leaf >= 0)
+            {
+                testTriangles(tree, leaf, motion);
+                // nothing is touched earlier than at the beginning
+                leaf = _first.time > 0 ? _search.nextMet() : -1;
+            }
+            motion.time = _first.time;
+            return _first.a;
+        }
+
+        private function beginSweep(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        {
+            var extents:Vector.<Number> = _extents;
             var shape:ConvexShape = _kernel.shape;
-            limit = motion.latestTime;
-            _motion = motion;
-            _firstImpact.reset();
-            _found = -1;
+            _first.reset();
             structure.extentsInto(extents);
             shape.margin += pose.margin + Touching.marginOfSurface(tree.boundingRadius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
@@ -85,20 +92,17 @@ package starlogo.solid
                 extents[int(i + 1)] -= shape.radius;
             }
             _plane.cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
-            _search.setExtents(extents, _plane.cullDistance);
-            _search.setMotion(motion);
             _separatingAxes.setTo(shape, _plane.cullDistance, motion);
-            sweepExtents();
-            _search.visitMet(tree, BoxTree.EXACT, this);
-            motion.time = _firstImpact.time;
-            return _found;
+            sweepExtents(motion);
+            _search.setExtents(extents, _plane.cullDistance);
+            _search.beginMet(tree, BoxTree.EXACT, motion);
         }
 
-        private function sweepExtents():void
+        private function sweepExtents(motion:RelativeMotion):void
         {
-            sweepAlong(0, limit * _motion.x);
-            sweepAlong(2, limit * _motion.y);
-            sweepAlong(4, limit * _motion.z);
+            sweepAlong(0, motion.latestTime * motion.x);
+            sweepAlong(2, motion.latestTime * motion.y);
+            sweepAlong(4, motion.latestTime * motion.z);
         }
 
         // Writes the extents along an axis, which begin at an index, of the core and of its travel along that axis.
@@ -106,17 +110,16 @@ package starlogo.solid
         {
             var back:Number = travel < 0 ? travel : 0;
             var ahead:Number = travel > 0 ? travel : 0;
-            _sweptExtents[at] = _coreExtents[at] + back;
-            _sweptExtents[int(at + 1)] = _coreExtents[int(at + 1)] + ahead;
+            _sweptExtents[at] = _extents[at] + back;
+            _sweptExtents[int(at + 1)] = _extents[int(at + 1)] + ahead;
         }
 
-        /** @inheritDoc */
-        override public function visit(tree:BoxTree, node:int):void
+        // Offers the triangles of a leaf that are touched. The motion ends at the first touch so far, and a little later.
+        private function testTriangles(tree:BoxTree, leaf:int, motion:RelativeMotion):void
         {
-            var motion:RelativeMotion = _motion;
             var isStill:Boolean = motion.isStill;
-            var end:int = tree.endPrimitive[node];
-            for (var i:int = tree.firstPrimitive[node]; i < end && limit >= 0; i++)
+            var end:int = tree.endPrimitive[leaf];
+            for (var i:int = tree.firstPrimitive[leaf]; i < end && _first.time > 0; i++)
             {
                 if (!areExtentsWithin(_plane.cullDistance, _sweptExtents, tree, i))
                 {
@@ -142,18 +145,14 @@ package starlogo.solid
                 {
                     _kernel.findTimeOfImpact(_corners, motion);
                 }
-                if (_firstImpact.offer(motion, _plane))
+                if (_first.offer(motion, _plane))
                 {
-                    _found = i;
+                    _first.a = i;
                 }
-                if (!(_firstImpact.time > 0))
+                if (motion.latestTime < _search.limit)
                 {
-                    endSearch();
-                }
-                else if (motion.latestTime < limit)
-                {
-                    limit = motion.latestTime;
-                    sweepExtents();
+                    _search.limit = motion.latestTime;
+                    sweepExtents(motion);
                 }
             }
         }
@@ -172,6 +171,43 @@ package starlogo.solid
             _kernel.findContact(_corners, motion, out);
             _plane.setTriangle(_corners, 0);
             _plane.alignContact(_kernel.shape, motion, out);
+        }
+
+        /**
+         * Finds the distance and the closest points of a model and a structure.
+         *
+         * @param tree the model's, with its triangles' corners listed
+         * @param structure in the model's space
+         * @param out receives them, in the model's space, the model's point first
+         * @return the index of the nearest triangle; -1 if rounding leaves none
+         */
+        public function findNearest(tree:BoxTree, structure:BoundingStructure, out:ClosestPoints):int
+        {
+            var nearest:int = -1;
+            structure.extentsInto(_extents);
+            out.distance = Infinity;
+            _search.setExtents(_extents, 0);
+            _search.beginNear(tree, BoxTree.EXACT);
+            for (var leaf:int = _search.nextNear(); leaf >= 0; leaf = _search.nextNear())
+            {
+                var end:int = tree.endPrimitive[leaf];
+                for (var i:int = tree.firstPrimitive[leaf]; i < end && out.distance > 0; i++)
+                {
+                    if (areExtentsWithin(out.distance, _extents, tree, i))
+                    {
+                        _counts.triangleTests++;
+                        tree.readTriangle(i, _corners);
+                        nearest = _kernel.findCloser(_corners, out) ? i : nearest;
+                    }
+                }
+                _search.limit = out.distance;
+            }
+            if (nearest >= 0)
+            {
+                // the kernel has the structure's point first
+                out.swap();
+            }
+            return nearest;
         }
     }
 }

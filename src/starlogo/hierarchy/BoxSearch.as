@@ -56,6 +56,7 @@ package starlogo.hierarchy
 
         private var _tree:BoxTree = null;
         private var _depth:int = 0;
+        private var _slack:Number = 0;
 
         // The nodes that wait, the next one last; when the box meets them, or how far it is from them; and how many they are.
         private var _nodes:Vector.<int> = new Vector.<int>();
@@ -145,6 +146,7 @@ package starlogo.hierarchy
         {
             _tree = tree;
             _depth = depth;
+            _slack = SLACK * (tree.boundingRadius + _halfX + _halfY + _halfZ);
             _nodes[0] = 0;
             _enters[0] = -Infinity;
             _top = 1;
@@ -161,26 +163,20 @@ package starlogo.hierarchy
         }
 
         /**
-         * The next leaf that the box may meet within the limit; -1 if there is none. The root is visited untested. On the way down, the nearer child does not
-         * pass the stack. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One function
+         * The next leaf that the box may meet within the limit; -1 if there is none. The root is visited untested. On the way down the nearer child is next, and
+         * the other one waits. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One function
          * does it all, because calls for each child take long in Adobe's VM.
          */
         public function nextMet():int
         {
             var tree:BoxTree = _tree;
             var boxes:Vector.<Number> = tree.boxes;
-            var children:Vector.<int> = tree.left;
-            var nodes:Vector.<int> = _nodes;
-            var enters:Vector.<Number> = _enters;
-            // An exact search ends at the nodes without children. It need not read another column.
-            var isLimited:Boolean = _depth < BoxTree.EXACT;
             var fromX:Number = _x;
             var fromY:Number = _y;
             var fromZ:Number = _z;
-            var slack:Number = SLACK * (tree.boundingRadius + _halfX + _halfY + _halfZ);
-            var widerX:Number = _halfX + slack;
-            var widerY:Number = _halfY + slack;
-            var widerZ:Number = _halfZ + slack;
+            var widerX:Number = _halfX + _slack;
+            var widerY:Number = _halfY + _slack;
+            var widerZ:Number = _halfZ + _slack;
             var inverseX:Number = _inverseX;
             var inverseY:Number = _inverseY;
             var inverseZ:Number = _inverseZ;
@@ -191,26 +187,23 @@ package starlogo.hierarchy
             var begin:Number = _from;
             var latest:Number = limit < LATEST ? limit : LATEST;
             var top:int = _top;
-            while (top > 0)
+            var visits:int = 0;
+            var node:int = -1;
+            while (node < 0 && top > 0)
             {
                 top--;
-                var node:int = enters[top] > latest ? -1 : nodes[top];
-                while (node >= 0)
+                node = _enters[top] > latest ? -1 : _nodes[top];
+                while (node >= 0 && tree.leafUpToDepth[node] < _depth)
                 {
-                    _counts.nodeVisits++;
-                    var left:int = children[node];
-                    if (left == 0 || isLimited && tree.leafUpToDepth[node] >= _depth)
-                    {
-                        _top = top;
-                        return node;
-                    }
+                    visits++;
                     // of the children that are met, the one to visit next, and when it is entered
                     var next:int = -1;
-                    var enterNext:Number = 0;
+                    var enterNext:Number = Infinity;
+                    var left:int = tree.left[node];
                     for (var child:int = left; child < left + 2; child++)
                     {
-                        var at:int = 6 * child;
                         // A box is met unless the moving box enters it along one axis after it has left it along another one.
+                        var at:int = 6 * child;
                         var middle:Number = (boxes[at] - fromX) * inverseX;
                         var half:Number = (boxes[int(at + 3)] + widerX) * absX;
                         var enterX:Number = middle - half;
@@ -238,24 +231,22 @@ package starlogo.hierarchy
                         var enter:Number = enterX > begin ? enterX : begin;
                         enter = enterY > enter ? enterY : enter;
                         enter = enterZ > enter ? enterZ : enter;
-                        if (next < 0)
+                        var isNext:Boolean = next < 0 || (isStill ? isRightNearer(tree, node) : enter < enterNext);
+                        if (next >= 0)
                         {
-                            next = child;
-                            enterNext = enter;
-                            continue;
+                            _nodes[top] = isNext ? next : child;
+                            _enters[top] = isNext ? enterNext : enter;
+                            top++;
                         }
-                        // The nearer child is next, and the other one waits.
-                        var isRightNext:Boolean = isStill ? isRightNearer(tree, node) : enter < enterNext;
-                        nodes[top] = isRightNext ? next : child;
-                        enters[top] = isRightNext ? enterNext : enter;
-                        next = isRightNext ? child : next;
-                        top++;
+                        next = isNext ? child : next;
+                        enterNext = enter;
                     }
                     node = next;
                 }
             }
-            _top = 0;
-            return -1;
+            _counts.nodeVisits += node < 0 ? visits : visits + 1;
+            _top = top;
+            return node;
         }
 
         // Whether the box's middle is nearer to the right child of a node than to the left one, along the axis of their split.
@@ -281,7 +272,6 @@ package starlogo.hierarchy
             var tree:BoxTree = _tree;
             var nodes:Vector.<int> = _nodes;
             var distances:Vector.<Number> = _enters;
-            var slack:Number = SLACK * tree.boundingRadius;
             var top:int = _top;
             // nothing is nearer than 0
             while (top > 0 && limit > 0)
@@ -301,8 +291,8 @@ package starlogo.hierarchy
                 node = tree.left[node];
                 nodes[top] = node;
                 nodes[int(top + 1)] = node + 1;
-                writeDistance(tree.boxes, 6 * node, slack, distances, top);
-                writeDistance(tree.boxes, 6 * node + 6, slack, distances, top + 1);
+                writeDistance(tree.boxes, 6 * node, distances, top);
+                writeDistance(tree.boxes, 6 * node + 6, distances, top + 1);
                 if (distances[top] < distances[int(top + 1)])
                 {
                     var distance:Number = distances[top];
@@ -316,13 +306,13 @@ package starlogo.hierarchy
             return -1;
         }
 
-        // Writes how far the box is from the box of a node, less a slack.
-        private function writeDistance(boxes:Vector.<Number>, at:int, slack:Number, out:Vector.<Number>, to:int):void
+        // Writes how far the box is from the box of a node, less the slack.
+        private function writeDistance(boxes:Vector.<Number>, at:int, out:Vector.<Number>, to:int):void
         {
             var distanceX:Number = Math.max(0, Math.abs(boxes[at] - _x) - boxes[int(at + 3)] - _halfX);
             var distanceY:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - _y) - boxes[int(at + 4)] - _halfY);
             var distanceZ:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - _z) - boxes[int(at + 5)] - _halfZ);
-            out[to] = Math.sqrt(distanceX * distanceX + distanceY * distanceY + distanceZ * distanceZ) - slack;
+            out[to] = Math.sqrt(distanceX * distanceX + distanceY * distanceY + distanceZ * distanceZ) - _slack;
         }
     }
 }

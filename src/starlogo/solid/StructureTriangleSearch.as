@@ -119,7 +119,7 @@ package starlogo.solid
         {
             var isStill:Boolean = motion.isStill;
             var end:int = tree.endPrimitive[leaf];
-            for (var i:int = tree.firstPrimitive[leaf]; i < end && _first.time > 0; i++)
+            for (var i:int = tree.firstPrimitive[leaf]; i < end; i++)
             {
                 if (!areExtentsWithin(_plane.cullDistance, _sweptExtents, tree, i))
                 {
@@ -148,6 +148,10 @@ package starlogo.solid
                 if (_first.offer(motion, _plane))
                 {
                     _first.a = i;
+                }
+                if (!(_first.time > 0))
+                {
+                    return;
                 }
                 if (motion.latestTime < _search.limit)
                 {

@@ -136,7 +136,8 @@ package starlogo.solid.interior
             _search.beginAlongAxis(tree, _axis, _isBackward ? -1 : 1);
             for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
             {
-                for (var index:int = tree.firstPrimitive[leaf]; index < tree.endPrimitive[leaf]; index++)
+                var end:int = tree.endPrimitive[leaf];
+                for (var index:int = tree.firstPrimitive[leaf]; index < end; index++)
                 {
                     addIfCrossed(index);
                 }

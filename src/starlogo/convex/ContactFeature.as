@@ -95,9 +95,11 @@ package starlogo.convex
                 add(found, last);
                 return;
             }
-            for (var at:int = nextOf(first, found, foundEnd, contact); !areInOnePlace(at, first, found) && length < foundEnd; at = nextOf(at, found, foundEnd, contact))
+            var at:int = nextOf(first, found, foundEnd, contact);
+            while (length < foundEnd && !areInOnePlace(at, first, found))
             {
                 add(found, at);
+                at = nextOf(at, found, foundEnd, contact);
             }
         }
 

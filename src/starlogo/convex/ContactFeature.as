@@ -260,10 +260,11 @@ package starlogo.convex
                     + Math.abs(corners[6] - corners[3]) + Math.abs(corners[7] - corners[4]) + Math.abs(corners[8] - corners[5]))
                 * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var isAllOutside:Boolean = innermost < border - rounding;
+            border = isAllOutside ? innermost : border;
             out.x = inX;
             out.y = inY;
             out.z = inZ;
-            out.w = (isAllOutside ? innermost : border) - rounding;
+            out.w = border - rounding;
             return !isAllOutside;
         }
 

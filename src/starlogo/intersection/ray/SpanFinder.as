@@ -41,7 +41,7 @@ package starlogo.intersection.ray
             switch (structure.kind)
             {
                 case BoundingStructure.SPHERE:
-                    return findInBall(ray, Sphere(structure).center, Sphere(structure).radius * Tolerances.TOUCHING, out);
+                    return findInSphere(ray, Sphere(structure), out);
                 case BoundingStructure.CAPSULE:
                     return findInCapsule(ray, Capsule(structure), out);
                 case BoundingStructure.BOX:
@@ -60,6 +60,11 @@ package starlogo.intersection.ray
                     break;
             }
             throw new ArgumentError("there is no test of rays for " + structure);
+        }
+
+        private static function findInSphere(ray:Ray, sphere:Sphere, out:RaySpan):Boolean
+        {
+            return findInBall(ray, sphere.center, sphere.radius * Tolerances.TOUCHING, out);
         }
 
         private static function findInBall(ray:Ray, center:Vector3D, radius:Number, out:RaySpan):Boolean

@@ -1,5 +1,6 @@
 package starlogo.convex
 {
+    import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
 
     /** The part of a core that is farthest along a direction: a corner, an edge or a face. An edge or a face can be clipped to a face. */
@@ -20,6 +21,9 @@ package starlogo.convex
 
         // A second list: startOver() exchanges the two.
         private var _spare:Vector.<Number> = new Vector.<Number>();
+
+        // The inner side of an edge of a face: a direction, and in w the least projection on it.
+        private var _innerSide:Vector3D = new Vector3D();
 
         /** Whether the feature is a corner. */
         public function get isCorner():Boolean
@@ -91,9 +95,11 @@ package starlogo.convex
                 add(found, last);
                 return;
             }
-            for (var at:int = nextOf(first, found, foundEnd, contact); !areInOnePlace(at, first, found) && length < foundEnd; at = nextOf(at, found, foundEnd, contact))
+            var at:int = nextOf(first, found, foundEnd, contact);
+            while (length < foundEnd && !areInOnePlace(at, first, found))
             {
                 add(found, at);
+                at = nextOf(at, found, foundEnd, contact);
             }
         }
 
@@ -110,7 +116,12 @@ package starlogo.convex
             var last:int = face.length - 3;
             for (var at:int = 0; at < face.length; at += 3)
             {
-                hasCommonPart = cut(face, last, at, contact, false) && hasCommonPart;
+                var isPartInside:Boolean = findInnerSide(face, last, at, contact, _innerSide);
+                if (isPartInside)
+                {
+                    keepWithin(_innerSide);
+                }
+                hasCommonPart = hasCommonPart && isPartInside;
                 last = at;
             }
             if (hasCommonPart)
@@ -120,7 +131,8 @@ package starlogo.convex
             // what is nearest to an edge may be beside the face, so these edges come last
             for (at = 0; at < face.length; at += 3)
             {
-                cut(face, last, at, contact, true);
+                findInnerSide(face, last, at, contact, _innerSide);
+                keepWithin(_innerSide);
                 last = at;
             }
         }
@@ -225,9 +237,8 @@ package starlogo.convex
             return best;
         }
 
-        // Keeps the part on the inner side of an edge of a face. If there is none, keeps all, or only what is nearest to the edge. Returns whether there
-        // is such a part.
-        private function cut(face:ContactFeature, from:int, to:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
+        // Finds the inner side of an edge of a face. Returns whether any of this feature is there. If not, the side is widened to what is nearest to the edge.
+        private function findInnerSide(face:ContactFeature, from:int, to:int, contact:ContactPoint, out:Vector3D):Boolean
         {
             var corners:Vector.<Number> = face.points;
             var edgeX:Number = corners[to] - corners[from];
@@ -237,7 +248,6 @@ package starlogo.convex
             var inX:Number = contact.normalY * edgeZ - contact.normalZ * edgeY;
             var inY:Number = contact.normalZ * edgeX - contact.normalX * edgeZ;
             var inZ:Number = contact.normalX * edgeY - contact.normalY * edgeX;
-            // what is at least so far inwards is kept
             var border:Number = inX * corners[to] + inY * corners[int(to + 1)] + inZ * corners[int(to + 2)];
             var innermost:Number = -Infinity;
             for (var i:int = 0; i < length; i += 3)
@@ -250,24 +260,26 @@ package starlogo.convex
                     + Math.abs(corners[6] - corners[3]) + Math.abs(corners[7] - corners[4]) + Math.abs(corners[8] - corners[5]))
                 * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var isAllOutside:Boolean = innermost < border - rounding;
-            if (isAllOutside)
-            {
-                if (!keepsNearest)
-                {
-                    return false;
-                }
-                border = innermost;
-            }
-            border -= rounding;
+            border = isAllOutside ? innermost : border;
+            out.x = inX;
+            out.y = inY;
+            out.z = inZ;
+            out.w = border - rounding;
+            return !isAllOutside;
+        }
+
+        // Keeps the part within a side that findInnerSide() has found.
+        private function keepWithin(side:Vector3D):void
+        {
             // an edge is not a closed outline
             var isEdge:Boolean = length == EDGE;
             var end:int = length;
             var before:Vector.<Number> = startOver();
             var last:int = end - 3;
-            var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - border;
+            var lastInwards:Number = side.x * before[last] + side.y * before[int(last + 1)] + side.z * before[int(last + 2)] - side.w;
             for (var at:int = 0; at < end; at += 3)
             {
-                var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - border;
+                var inwards:Number = side.x * before[at] + side.y * before[int(at + 1)] + side.z * before[int(at + 2)] - side.w;
                 if (inwards >= 0 != lastInwards >= 0 && !(isEdge && at == 0))
                 {
                     var fraction:Number = lastInwards / (lastInwards - inwards);
@@ -283,7 +295,6 @@ package starlogo.convex
                 last = at;
                 lastInwards = inwards;
             }
-            return !isAllOutside;
         }
     }
 }

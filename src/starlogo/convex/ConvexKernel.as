@@ -30,7 +30,7 @@ package starlogo.convex
         private var _cores:CorePair = new CorePair();
         private var _result:GjkResult = new GjkResult();
 
-        // Balls around the two shapes of a sweep.
+        // Balls around the two shapes of a sweep. Its radius A is the sum of both radii, its radius B stays 0.
         private var _balls:CoreGap = new CoreGap();
 
         /** Whether two shapes touch or overlap. */
@@ -86,8 +86,7 @@ package starlogo.convex
         public function findTimeOfImpact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {
             var cores:CorePair = _cores;
-            cores.setShapes(a, b);
-            beginSweep(motion);
+            beginSweep(a, b, motion);
             if (!(motion.time <= motion.latestTime))
             {
                 motion.time = RelativeMotion.NEVER;
@@ -103,22 +102,20 @@ package starlogo.convex
         }
 
         // Begins at the motion's earliest time, or when balls around the two first meet if that is later.
-        private function beginSweep(motion:RelativeMotion):void
+        private function beginSweep(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {
             var cores:CorePair = _cores;
             _step.reset();
             motion.time = 0;
+            cores.setShapes(a, b);
             cores.setMotion(motion);
             cores.limitToTouching();
             cores.searchLimit += motion.margin;
-            // the motion is that of a
-            var sign:int = cores.isSwapped ? -1 : 1;
-            _balls.x = sign * cores.x;
-            _balls.y = sign * cores.y;
-            _balls.z = sign * cores.z;
+            _balls.x = a.origin.x - b.origin.x + motion.startX;
+            _balls.y = a.origin.y - b.origin.y + motion.startY;
+            _balls.z = a.origin.z - b.origin.z + motion.startZ;
             _balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.boundingRadius + cores.second.boundingRadius);
-            _balls.radiusB = 0;
-            findTimeOfSpheres(_balls, motion);
+            findTimeOfImpactOfSpheres(_balls, motion);
             motion.time = motion.earliestTime > motion.time ? motion.earliestTime : motion.time;
         }
 

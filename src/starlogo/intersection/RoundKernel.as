@@ -73,20 +73,24 @@ package starlogo.intersection
         {
             var gap:CoreGap = _gap;
             findGap(first, second, motion, gap);
-            if (first.kind == BoundingStructure.CAPSULE)
-            {
-                // of the points of its axis that are equally close, the one in the middle
-                setPoint(first as Capsule, second.kind == BoundingStructure.CAPSULE ? _segments.middleOfU : _segment.middleIn(second as Box), gap);
-            }
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.size;
             if (gap.squaredLength > least * least)
             {
+                if (first.kind == BoundingStructure.CAPSULE)
+                {
+                    // of the points of its axis that are equally close, the one in the middle
+                    setPoint(first as Capsule, second.kind == BoundingStructure.CAPSULE ? _segments.middleOfU : _segment.middleIn(second as Box), gap);
+                }
                 out.setFromGap(gap, motion);
+            }
+            else if (gap.squaredLength > 0)
+            {
+                _convex.findContactInOrder(first, second, motion, out);
             }
             else
             {
-                _convex.findContactInOrder(first, second, motion, out);
+                _convex.findOverlapInOrder(first, second, motion, out);
             }
         }
 

@@ -7,7 +7,7 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.findTimeOfSpheres;
+    import starlogo.convex.findTimeOfImpactOfSpheres;
 
     /**
      * The kernel of two spheres.
@@ -23,7 +23,7 @@ package starlogo.intersection
         {
             motion.time = 0;
             setGap(first as Sphere, second as Sphere, motion);
-            findTimeOfSpheres(_gap, motion);
+            findTimeOfImpactOfSpheres(_gap, motion);
         }
 
         /** @inheritDoc */

@@ -56,7 +56,7 @@ package starlogo.solid
         override protected function estimate(trees:TreePair, a:int, b:int):void
         {
             beginPair(trees, a, b);
-            _sweep.findTimeOfFaces(_pair, _motion);
+            _sweep.findEarliestTime(_pair, _motion);
             bound = _motion.time;
         }
 

@@ -23,6 +23,7 @@ package starlogo.intersection.boxes
 
         // For areTouching().
         private static const SCRATCH:BoxSweep = new BoxSweep();
+        private static const STANDING:RelativeMotion = new RelativeMotion();
 
         // The rotation of b, row by row: its columns are the directions of b's edges. And the half-extents of b.
         private var _rows:Vector.<Number> = new Vector.<Number>(9, true);
@@ -40,8 +41,8 @@ package starlogo.intersection.boxes
          */
         public static function areTouching(a:Box, b:Box):Boolean
         {
-            SCRATCH.sweep(a, b, RelativeMotion.NONE);
-            return SCRATCH._motion.time == 0;
+            SCRATCH.findTimeOfImpactOfBoxes(a, b, STANDING);
+            return STANDING.time == 0;
         }
 
         /**
@@ -49,9 +50,25 @@ package starlogo.intersection.boxes
          *
          * @param motion the motion of a; receives the time
          */
-        public function findTimeOfBoxes(a:Box, b:Box, motion:RelativeMotion):void
+        public function findTimeOfImpactOfBoxes(a:Box, b:Box, motion:RelativeMotion):void
         {
-            sweep(a, b, motion);
+            var fromX:Number = b.center.x - a.center.x - motion.startX;
+            var fromY:Number = b.center.y - a.center.y - motion.startY;
+            var fromZ:Number = b.center.z - a.center.z - motion.startZ;
+            // while a moves, b moves in the opposite direction as seen from a
+            var axis:Vector3D = a.axisX;
+            _motion.x = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            _boxes.offsetX = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            axis = a.axisY;
+            _motion.y = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            _boxes.offsetY = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            axis = a.axisZ;
+            _motion.z = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            _boxes.offsetZ = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            _boxes.setBoxes(a, b);
+            _boxes.margin = motion.margin;
+            _motion.latestTime = motion.latestTime;
+            findTimeOfImpact(_boxes, _motion);
             motion.time = _motion.time;
         }
 
@@ -67,35 +84,14 @@ package starlogo.intersection.boxes
         }
 
         /**
-         * Finds from which time on no face separates the boxes of a pair. The boxes touch at that time or later.
+         * Finds from which time on no face separates the boxes of a pair. The boxes do not touch earlier.
          *
          * @param motion as in findTimeOfImpact(); receives the time
          */
-        public function findTimeOfFaces(pair:BoxPair, motion:RelativeMotion):void
+        public function findEarliestTime(pair:BoxPair, motion:RelativeMotion):void
         {
             _times.reset(motion.latestTime);
             writeTime(clipByFaces(pair, motion), motion);
-        }
-
-        // Sweeps box a past b, and leaves the time in _motion. While a moves, b moves in the opposite direction as seen from a.
-        private function sweep(a:Box, b:Box, motion:RelativeMotion):void
-        {
-            var fromX:Number = b.center.x - a.center.x - motion.startX;
-            var fromY:Number = b.center.y - a.center.y - motion.startY;
-            var fromZ:Number = b.center.z - a.center.z - motion.startZ;
-            var axis:Vector3D = a.axisX;
-            _motion.x = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            _boxes.offsetX = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            axis = a.axisY;
-            _motion.y = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            _boxes.offsetY = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            axis = a.axisZ;
-            _motion.z = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            _boxes.offsetZ = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            _boxes.setBoxes(a, b);
-            _boxes.margin = motion.margin;
-            _motion.latestTime = motion.latestTime;
-            findTimeOfImpact(_boxes, _motion);
         }
 
         // Writes when the boxes first touch, if they do.

@@ -10,7 +10,7 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.findTimeOfSpheres;
+    import starlogo.convex.findTimeOfImpactOfSpheres;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -193,7 +193,7 @@ package starlogo.search.pairs
             gap.z += motion.startZ;
             // The margin of the motion. Its start is 0 or the reverse of it: see Touching.
             gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            findTimeOfSpheres(gap, motion);
+            findTimeOfImpactOfSpheres(gap, motion);
             // rounding can miss a touch at the end of a motion that is far shorter than the two
             if (motion.time == RelativeMotion.NEVER && areTouchingAtEnd)
             {

@@ -10,7 +10,7 @@ package starlogo.convex
      * @param motion the motion of the one centre; its start is not used. Receives the time
      * @private
      */
-    public function findTimeOfSpheres(gap:CoreGap, motion:RelativeMotion):void
+    public function findTimeOfImpactOfSpheres(gap:CoreGap, motion:RelativeMotion):void
     {
         var x:Number = gap.x;
         var y:Number = gap.y;

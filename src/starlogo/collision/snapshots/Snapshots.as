@@ -170,7 +170,7 @@ package starlogo.collision.snapshots
                     readTraits(bytes, agents, names);
                 }
                 SnapshotPlaces.restore(places, agents, search.table);
-                search.invalidatePairs();
+                search.forgetPairs();
             }
             catch (error:Error)
             {

@@ -35,9 +35,6 @@ package starlogo.search
         // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        // The members that are tested with the ground or the edges of the world.
-        private var _environmentCandidates:IntList = new IntList();
-
         /**
          * @param table has the rows
          * @param narrowPhase tests their bodies
@@ -88,10 +85,9 @@ package starlogo.search
             {
                 return;
             }
-            input.copyMembers(rows, _table, _environmentCandidates);
-            var others:Vector.<int> = _environmentCandidates.values;
-            var count:int = input.interests.keepOfInterest(_table.breeds, environmentRow, others, _environmentCandidates.count);
-            addTouching(environmentRow, others, count, BinLevel.ANY_GAP);
+            var members:IntList = input.membersAmong(rows, _table);
+            var count:int = input.interests.keepOfInterest(_table.breeds, environmentRow, members.values, members.count);
+            addTouching(environmentRow, members.values, count, BinLevel.ANY_GAP);
         }
 
         /**

@@ -203,11 +203,11 @@ package starlogo.search
             _motions.findExtents(table.listed.rows);
             _candidateTests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
-            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members, input);
-            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members, input);
-            _pairOrder.putInOrder(_pairs, _candidateTests.times);
-            narrowPhase.counts.members = members.count;
             _changedRows.begin(members);
+            narrowPhase.counts.members = members.count;
+            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, table.listed.rows, input);
+            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, table.listed.rows, input);
+            _pairOrder.putInOrder(_pairs, _candidateTests.times);
         }
 
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of

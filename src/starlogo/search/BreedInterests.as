@@ -95,10 +95,21 @@ package starlogo.search
             return hasPair(number, otherNumber) || hasPair(number, anyOfOther) || hasPair(anyOfFirst, otherNumber) || hasPair(anyOfFirst, anyOfOther);
         }
 
-        /** @private Whether all pairs of two agents are of interest, because ANY_BREED is paired with itself. The ground and the edges do not count. */
-        engine function get includesAllAgents():Boolean
+        /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
+        engine function includesAllOfAgents():Boolean
         {
-            return hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER);
+            // ANY_NUMBER is the first breed here, and stands for those that no pair names
+            for (var breed:int = Breeds.ANY_NUMBER; breed < _isNamed.length; breed++)
+            {
+                for (var other:int = breed; _isNamed[breed] && other < _isNamed.length; other++)
+                {
+                    if (_isNamed[other] && !includes(breed, other))
+                    {
+                        return false;
+                    }
+                }
+            }
+            return true;
         }
 
         /**

@@ -51,7 +51,7 @@ package starlogo.search
         public function begin(input:SearchInput, out:FoundPairs):void
         {
             out.count = 0;
-            _interests = input.interests.includesAllAgents ? null : input.interests;
+            _interests = input.interests.includesAllOfAgents() ? null : input.interests;
             _out = out;
         }
 

@@ -30,13 +30,17 @@ package starlogo.agents
         public function numberOf(name:String):int
         {
             var number:int = knownNumberOf(name);
-            return number >= 0 ? number : add(name);
+            if (number >= 0)
+            {
+                return number;
+            }
+            _order.splice(countBefore(name), 0, _names.length);
+            return append(name);
         }
 
-        /** Gives a name the next number, which it returns. A name that had one already keeps both. */
-        public function add(name:String):int
+        /** Gives a name the next number, which it returns, but no number can be found for it. So many names take no sorting. */
+        public function append(name:String):int
         {
-            _order.splice(countBefore(name), 0, _names.length);
             return _names.push(name) - 1;
         }
 

@@ -21,6 +21,11 @@ package starlogo.agents
         private static const BY_QUATERNION:int = 1;
         private static const BY_BOTH:int = 2;
 
+        // What has to be computed when it is needed: nothing, the rotation from the angles, or the angles from the rotation.
+        private static const NOTHING:int = 0;
+        private static const ROTATION:int = 1;
+        private static const ANGLES:int = 2;
+
         // How far a quaternion's length may be from 1 if its numbers are kept as they are.
         private static const NEARLY_UNIT:Number = 1e-6;
 
@@ -42,9 +47,7 @@ package starlogo.agents
         // The numbers of the last quaternion. Null before the first one.
         private var _quaternion:Vector.<Number> = null;
 
-        // Whether the rotation has to be computed from the angles, or the angles from the rotation. At most one of the two has to be.
-        private var _isRotationStale:Boolean = false;
-        private var _areAnglesStale:Boolean = false;
+        private var _stale:int = NOTHING;
 
         /** @param placement gets the rotation: the agent's place in the world */
         public function Turn(placement:Placement)
@@ -64,8 +67,7 @@ package starlogo.agents
             this.pitch = pitch + 0;
             this.roll = roll + 0;
             _turnedBy = BY_ANGLES;
-            _isRotationStale = true;
-            _areAnglesStale = false;
+            _stale = ROTATION;
             return true;
         }
 
@@ -89,7 +91,7 @@ package starlogo.agents
             {
                 _placement.copyRotation(sTurned);
                 _turnedBy = BY_QUATERNION;
-                _areAnglesStale = true;
+                _stale = ANGLES;
             }
             else if (_turnedBy == BY_ANGLES)
             {
@@ -121,10 +123,10 @@ package starlogo.agents
         /** Makes the rotation of the placement right. */
         public function updateRotation():void
         {
-            if (_isRotationStale)
+            if (_stale == ROTATION)
             {
                 _placement.setRotation(heading, pitch, roll);
-                _isRotationStale = false;
+                _stale = NOTHING;
             }
         }
 
@@ -133,13 +135,13 @@ package starlogo.agents
          */
         public function updateAngles():Turn
         {
-            if (_areAnglesStale)
+            if (_stale == ANGLES)
             {
                 _placement.readAngles(sAngles);
                 heading = sAngles.z;
                 pitch = sAngles.y;
                 roll = sAngles.x;
-                _areAnglesStale = false;
+                _stale = NOTHING;
             }
             return this;
         }
@@ -190,7 +192,7 @@ package starlogo.agents
             {
                 // the angles happen to make the same rotation
                 _turnedBy = BY_QUATERNION;
-                _areAnglesStale = true;
+                _stale = ANGLES;
             }
         }
     }

@@ -49,8 +49,8 @@ package starlogo.broadphase
         /**
          * Begins with the members of the last search of the bins.
          *
-         * @param extents the extents in that search. They are read again in each call
-         * @param members the rows of the members
+         * @param extents the extents of all rows. They are read again in each call
+         * @param members the rows of the members. Those that have no level with buckets any more are left out
          * @param length all rows are less than this number
          */
         public function begin(extents:Extents, members:IntList, length:int):void
@@ -107,7 +107,7 @@ package starlogo.broadphase
         public function tryUpdate(row:int):Boolean
         {
             var index:int = _extents.levelIndices[row];
-            if (index >= _levels.length || !_levels[index].hasBuckets)
+            if (index == 0 || index >= _levels.length || !_levels[index].hasBuckets)
             {
                 return false;
             }

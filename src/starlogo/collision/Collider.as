@@ -179,16 +179,14 @@ package starlogo.collision
         /** @private As contactOf, in one of the collider's searches. */
         engine function contactIn(inSearch:CollisionSearch, collider:Agent, collidee:Agent, contact:Contact):Contact
         {
-            var motion:RelativeMotion = _motion;
-            var point:ContactPoint = _point;
             if (stepOfOwner != HANDLING)
             {
                 inSearch.table.refreshEnvironment();
             }
-            inSearch.findContact(collider, collidee, motion, point);
-            contact.setFromPoint(point);
-            contact.time = motion.time;
-            contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
+            inSearch.findContact(collider, collidee, _motion, _point);
+            contact.setFromPoint(_point);
+            contact.time = _motion.time;
+            contact.approachSpeed = Math.max(0, -(_motion.x * _point.normalX + _motion.y * _point.normalY + _motion.z * _point.normalZ));
             return contact;
         }
 

@@ -28,8 +28,8 @@ package starlogo.collision
         private var _system:BaseCollider = null;
         private var _tracker:TouchTracker = null;
 
-        // All handlers of the present pair or ended touch, or null before its calls begin; the index of the next one; and the one that runs, or null. If a
-        // handler throws, callAll comes back to the same pair, and these say where it resumes.
+        // All handlers of the present pair or ended touch, the index of the next one, and the one that runs, or null. The calls of a pair begin at the
+        // index 0. If a handler throws, callAll comes back to the same pair, whose calls go on at the next index.
         private var _handlersOfPair:PairHandlers = null;
         private var _nextHandler:int;
         private var _running:CollisionHandler = null;
@@ -106,7 +106,7 @@ package starlogo.collision
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
             var end:int = endedCount + pairCount;
             var i:int = 0;
-            _handlersOfPair = null;
+            _nextHandler = 0;
             while (i < end)
             {
                 try
@@ -121,7 +121,7 @@ package starlogo.collision
                         {
                             callForPair(chosen == null ? i - endedCount : chosen.values[i - endedCount]);
                         }
-                        _handlersOfPair = null;
+                        _nextHandler = 0;
                     }
                 }
                 catch (error:*)
@@ -147,19 +147,17 @@ package starlogo.collision
 
         private function callForEnded(touch:Touch):void
         {
-            beginOrResume(touch.firstBreed, touch.secondBreed);
+            findHandlers(touch.firstBreed, touch.secondBreed);
             var end:int = touch.hasReachedSecond ? _handlersOfPair.handlers.length : _handlersOfPair.splitIndex;
             callRemaining(NO_PAIR, touch.first, touch.second, CollisionHandler.END, end);
         }
 
-        // Begins the calls of a pair or ended touch with its first handler, or resumes them after an error: then the handlers and the next one stay, even if
-        // a handler has changed a breed.
-        private function beginOrResume(firstBreed:int, secondBreed:int):void
+        // Finds the handlers of a pair or ended touch when its calls begin. They stay until its last call, even if a handler changes a breed.
+        private function findHandlers(firstBreed:int, secondBreed:int):void
         {
-            if (_handlersOfPair == null)
+            if (_nextHandler == 0)
             {
                 _handlersOfPair = _table.handlersOf(firstBreed, secondBreed);
-                _nextHandler = 0;
             }
         }
 
@@ -167,7 +165,7 @@ package starlogo.collision
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            beginOrResume(first.breedNumber, second.breedNumber);
+            findHandlers(first.breedNumber, second.breedNumber);
             var end:int = _handlersOfPair.handlers.length;
             if (!_handlersOfPair.tracksTouches)
             {

@@ -19,17 +19,11 @@ package starlogo.handlers
      */
     public final class TouchTracker
     {
-        // In place of the last frame of a touch: it has ended.
-        private static const NO_FRAME:int = int.MAX_VALUE;
-
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
         // By index: all touches that there are, and objects for later ones, which have no agents.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
-
-        // By index: the last frame in which the touch began or went on; NO_FRAME for an object without a touch.
-        private var _lastFrames:Vector.<int> = new Vector.<int>();
 
         // By the ids of the first and of the second agent: the index of their touch.
         private var _indices:IntPairMap = new IntPairMap();
@@ -82,7 +76,7 @@ package starlogo.handlers
                 }
                 else
                 {
-                    _lastFrames[touchIndices[pair]] = frame;
+                    _all[touchIndices[pair]].lastFrame = frame;
                 }
             }
             return _starting;
@@ -91,13 +85,12 @@ package starlogo.handlers
         /** Ends the lost touches: those that do not go on in this frame. */
         public function endLostTouches():void
         {
-            for (var index:int = 0; index < _lastFrames.length; index++)
+            for (var index:int = 0; index < _all.length; index++)
             {
-                if (_lastFrames[index] < frame)
+                var touch:Touch = _all[index];
+                if (touch.lastFrame < frame && touch.first != null)
                 {
-                    var touch:Touch = _all[index];
                     _indices.remove(touch.first.idNumber, touch.second.idNumber);
-                    _lastFrames[index] = NO_FRAME;
                     _ended.add(index, touch.order);
                 }
             }
@@ -172,7 +165,7 @@ package starlogo.handlers
             touch.secondBreed = secondBreed;
             touch.hasReachedSecond = false;
             touch.order = _startedCount;
-            _lastFrames[touch.index] = frame;
+            touch.lastFrame = frame;
             _startedCount++;
             _indices.set (first.idNumber, second.idNumber, touch.index);
             return touch;

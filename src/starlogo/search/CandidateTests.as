@@ -9,7 +9,6 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.intersection.boxes.ContactInterval;
     import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
@@ -33,12 +32,8 @@ package starlogo.search
         // By pair, as they are found: the time of the touch.
         private var _times:Vector.<Number> = new Vector.<Number>();
 
-        // The motion of a pair that is tested, and when its extents overlap, in all directions so far.
+        // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
-        private var _interval:ContactInterval = new ContactInterval();
-
-        // The members that are tested with the ground or the edges of the world.
-        private var _environmentCandidates:IntList = new IntList();
 
         /**
          * @param table has the rows
@@ -90,10 +85,9 @@ package starlogo.search
             {
                 return;
             }
-            input.copyMembers(rows, _table, _environmentCandidates);
-            var others:Vector.<int> = _environmentCandidates.values;
-            var count:int = input.interests.keepOfInterest(_table.breeds, environmentRow, others, _environmentCandidates.count);
-            addTouching(environmentRow, others, count, BinLevel.ANY_GAP);
+            var members:IntList = input.membersAmong(rows, _table);
+            var count:int = input.interests.keepOfInterest(_table.breeds, environmentRow, members.values, members.count);
+            addTouching(environmentRow, members.values, count, BinLevel.ANY_GAP);
         }
 
         /**
@@ -225,40 +219,31 @@ package starlogo.search
             return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));
         }
 
+        // Finds the time at which two rows first touch on a motion. The time is NEVER before.
         private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
         {
-            var areSpheres:Boolean = _table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE;
-            if (!areSpheres && !overlapOnMotions(a, b, level))
+            if (_table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE)
             {
-                return;
-            }
-            _narrowPhase.counts.sweptPairs++;
-            if (areSpheres)
-            {
+                _narrowPhase.counts.sweptPairs++;
                 _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
-                return;
             }
-            var bodyA:Body = _table.bodyOf(a);
-            var bodyB:Body = _table.bodyOf(b);
-            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
+            else if (areNearOnMotion(a, b, level, motion))
+            {
+                var bodyA:Body = _table.bodyOf(a);
+                var bodyB:Body = _table.bodyOf(b);
+                _narrowPhase.counts.sweptPairs++;
+                _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
+            }
         }
 
-        // Whether the extents of two rows overlap in all directions at the same time, on their motions.
-        private function overlapOnMotions(a:int, b:int, level:BinLevel):Boolean
+        // Whether the extents of a row's whole motion, which ends where the row is, overlap another row's extents, or nearly do. The motion is relative to
+        // the other row.
+        private function areNearOnMotion(a:int, b:int, level:BinLevel, motion:RelativeMotion):Boolean
         {
-            var standing:Extents = _table.extents;
-            _interval.reset(1);
-            return clipAlong(standing.x, standing.halfX, _motions.displacements.x, a, b, level)
-                && clipAlong(standing.y, standing.halfY, _motions.displacements.y, a, b, level)
-                && clipAlong(standing.z, standing.halfZ, _motions.displacements.z, a, b, level);
-        }
-
-        // Clips the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
-        private function clipAlong(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int, level:BinLevel):Boolean
-        {
-            // The reverse of what ContactInterval names: row a seen from row b. The interval is the same.
-            var speed:Number = motion[a] - motion[b];
-            return _interval.clip(at[a] - at[b] - speed, speed, half[a] + half[b], level.slack);
+            var e:Extents = _table.extents;
+            return Math.abs(e.x[a] - e.x[b] - motion.x / 2) <= e.halfX[a] + e.halfX[b] + Math.abs(motion.x) / 2 + level.slack
+                && Math.abs(e.y[a] - e.y[b] - motion.y / 2) <= e.halfY[a] + e.halfY[b] + Math.abs(motion.y) / 2 + level.slack
+                && Math.abs(e.z[a] - e.z[b] - motion.z / 2) <= e.halfZ[a] + e.halfZ[b] + Math.abs(motion.z) / 2 + level.slack;
         }
     }
 }

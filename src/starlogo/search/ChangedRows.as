@@ -19,6 +19,9 @@ package starlogo.search
      */
     internal final class ChangedRows
     {
+        // Changed rows are few if there are at least this many rows for each of them.
+        private static const ROWS_PER_CHANGE:int = 8;
+
         /** The rows of agents that have changed. Read only. */
         public var rows:IntList = new IntList();
 
@@ -28,8 +31,11 @@ package starlogo.search
         private var _table:AgentTable;
         private var _motions:RowMotions;
 
-        // The members of the last search.
+        // The members of the last search of all rows. The first search of few rows after it puts them into cells, which then have the members of each
+        // search. Games in which most rows change need no cells.
+        private var _members:IntList = new IntList();
         private var _cells:CellLists;
+        private var _hasCells:Boolean = false;
 
         /**
          * @param table has the rows
@@ -49,19 +55,44 @@ package starlogo.search
             return _cells.count;
         }
 
-        /** Begins with a search of all rows that has ended: notes the cells of its members. */
+        /** Begins with the members of a search of all rows. */
         public function begin(members:IntList):void
         {
-            _cells.begin(_motions.searchExtents, members, _table.listed.rowCapacity);
+            _members.copyFrom(members);
+            _hasCells = false;
         }
 
-        /** Finds the rows that have changed. The table has read the agents, the ground and the edges. */
-        public function find(input:SearchInput):void
+        /**
+         * Finds the rows that have changed, and moves them to their cells. The table has read the agents, the ground and the edges.
+         *
+         * @return false if all rows have to be searched: if too many have changed, or the cells need other buckets
+         */
+        public function tryFind(input:SearchInput):Boolean
         {
-            var length:int = _table.listed.rowCapacity;
+            if (!areFew(_table.changed.count + _table.listed.leftOrReordered.count + _motions.rowsToRetest.count))
+            {
+                return false;
+            }
+            if (!_hasCells)
+            {
+                _cells.begin(_motions.searchExtents, _members, _table.listed.rowCapacity);
+                _hasCells = true;
+            }
+            findRows(input);
+            return areFew(rows.count) && tryMoveToCells(input);
+        }
+
+        // Whether so few rows have changed that a search of these is faster than a search of all.
+        private function areFew(changes:int):Boolean
+        {
+            return ROWS_PER_CHANGE * changes <= _table.listed.rows.count;
+        }
+
+        private function findRows(input:SearchInput):void
+        {
             rows.count = 0;
-            invalidRows.clear(length);
-            _cells.makeRoom(length);
+            invalidRows.clear(_table.listed.rowCapacity);
+            _cells.makeRoom(_table.listed.rowCapacity);
             addAll(_table.changed);
             addAll(_table.listed.leftOrReordered);
             addAll(_motions.rowsToRetest);
@@ -76,12 +107,8 @@ package starlogo.search
             }
         }
 
-        /**
-         * Moves the rows that have changed to their cells.
-         *
-         * @return whether the cells have the right buckets. If not, or if a row needs a level without buckets, all rows have to be searched
-         */
-        public function tryMoveToCells(input:SearchInput):Boolean
+        // Moves the rows that have changed to their cells. Returns whether the cells have the right buckets, and each row a level with buckets.
+        private function tryMoveToCells(input:SearchInput):Boolean
         {
             _motions.findExtents(rows);
             for (var i:int = 0; i < rows.count; i++)

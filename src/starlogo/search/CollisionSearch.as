@@ -33,9 +33,6 @@ package starlogo.search
      */
     public final class CollisionSearch
     {
-        // Changed rows are few if there are at least this many rows for each of them.
-        private static const ROWS_PER_CHANGE:int = 8;
-
         /** The agents of the last search. */
         public var table:AgentTable;
 
@@ -61,8 +58,8 @@ package starlogo.search
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
 
-        // Whether the next search may update these pairs, because ChangedRows has the cells of the members.
-        private var _canUpdatePairs:Boolean = false;
+        // Whether these are the pairs of the last search, so that the next one may update them. If a search throws, it leaves none.
+        private var _hasPairs:Boolean = false;
 
         // The bodies of agents that have changed since the search.
         private var _bodyA:Body = new Body();
@@ -95,36 +92,21 @@ package starlogo.search
             {
                 throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
-            // if the search throws, the next one is of all rows
-            var couldUpdatePairs:Boolean = _canUpdatePairs;
-            _canUpdatePairs = false;
+            var hadPairs:Boolean = _hasPairs;
+            _hasPairs = false;
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So after an unlike search, two
-            // are of all rows: it, and the first one that is like it.
-            var isLikeLast:Boolean = rememberConditions(input) && areFew(changeCount);
-            if (isLikeLast && couldUpdatePairs && tryMoveChanged(input))
+            if (rememberConditions(input) && hadPairs && _changedRows.tryFind(input))
             {
                 findOfChanged(input);
             }
             else
             {
-                var members:IntList = findOfAll(input);
-                if (isLikeLast)
-                {
-                    _changedRows.begin(members);
-                }
+                findOfAll(input);
             }
-            _canUpdatePairs = isLikeLast;
+            _hasPairs = true;
             return _pairs;
-        }
-
-        // Finds the changed rows, and moves them to their cells. Returns false if the search has to be one of all rows.
-        private function tryMoveChanged(input:SearchInput):Boolean
-        {
-            _changedRows.find(input);
-            return areFew(_changedRows.rows.count) && _changedRows.tryMoveToCells(input);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -160,39 +142,43 @@ package starlogo.search
                 return;
             }
             // from here on the first is an agent of the game
-            var isSeenB:Boolean = table.isSeen(rowB);
-            var areSeen:Boolean = isSeenB && table.isSeen(rowA);
-            if (areSeen)
+            if (table.isSeen(rowA) && table.isSeen(rowB))
             {
                 table.followPose(rowA);
                 table.followPose(rowB);
-                if (_candidateTests.findContactOnMotions(rowA, rowB, motion, out))
+                if (!_candidateTests.findContactOnMotions(rowA, rowB, motion, out))
                 {
-                    return;
+                    findContactOfBodies(table.bodyOf(rowA), table.bodyOf(rowB), motion, out);
                 }
+                return;
             }
-            var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = areSeen || isSeenB && b.isEnvironment ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
+            var bodyA:Body = table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = b.isEnvironment && table.isSeen(rowB) ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
             if (bodyA.shape == null || bodyB.shape == null)
             {
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+            findContactOfBodies(bodyA, bodyB, motion, out);
+        }
+
+        private function findContactOfBodies(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            narrowPhase.pairTestsFor(a, b).findContact(a, b, motion, out);
         }
 
         /** The table was read without a search: the next search is one of all rows. */
-        public function invalidatePairs():void
+        public function forgetPairs():void
         {
-            _canUpdatePairs = false;
+            _hasPairs = false;
         }
 
         // Reads the input into the table. The motions are read before the places, because they begin at those of the last search.
         private function readInput(input:SearchInput):void
         {
             table.setList(input.agents);
-            _motions.read(doesAnySweep(input.agents));
-            table.readChanges();
+            _motions.read();
+            table.readPlaces();
             table.readEnvironment(input.ground, input.edges);
         }
 
@@ -210,30 +196,18 @@ package starlogo.search
             return areSame;
         }
 
-        // How many rows may have other pairs: they were read again, have left or have another place in the list.
-        private function get changeCount():int
-        {
-            return table.changed.count + table.listed.leftOrReordered.count + _motions.rowsToRetest.count;
-        }
-
-        // Whether so few rows have changed that a search of these is faster than a search of all.
-        private function areFew(changes:int):Boolean
-        {
-            return ROWS_PER_CHANGE * changes <= table.listed.rows.count;
-        }
-
-        // Finds the pairs of all members. Returns the members.
-        private function findOfAll(input:SearchInput):IntList
+        // Finds the pairs of all members.
+        private function findOfAll(input:SearchInput):void
         {
             var members:IntList = input.membersOf(table);
             _motions.findExtents(table.listed.rows);
             _candidateTests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
-            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members, input);
-            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members, input);
-            _pairOrder.putInOrder(_pairs, _candidateTests.times);
+            _changedRows.begin(members);
             narrowPhase.counts.members = members.count;
-            return members;
+            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, table.listed.rows, input);
+            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, table.listed.rows, input);
+            _pairOrder.putInOrder(_pairs, _candidateTests.times);
         }
 
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
@@ -247,19 +221,6 @@ package starlogo.search
             var earlyCount:int = _pairOrder.putInOrder(_pairsOfChanged, _candidateTests.times);
             _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;
-        }
-
-        // Whether an agent of the list sweeps. No entry is null.
-        private static function doesAnySweep(agents:Vector.<Agent>):Boolean
-        {
-            for (var i:int = 0; i < agents.length; i++)
-            {
-                if (agents[i].isSweeping)
-                {
-                    return true;
-                }
-            }
-            return false;
         }
     }
 }

@@ -50,15 +50,13 @@ package starlogo.search
         }
 
         /**
-         * Reads the motions of the rows that have changed, if an agent of the search sweeps. Call it after the table has found the rows, and before it reads
-         * their places.
-         *
-         * @param anySweeps whether an agent of the search sweeps
+         * Reads the motions of the rows that have changed, if an agent of the search sweeps. Call it after the table has taken the list, and before it reads
+         * the places.
          */
-        public function read(anySweeps:Boolean):void
+        public function read():void
         {
             rowsToRetest.count = 0;
-            if (anySweeps != this.anySweeps)
+            if (anySweeps != _table.anySweeps)
             {
                 rowsToRetest.copyFrom(_table.listed.rows);
             }
@@ -66,7 +64,7 @@ package starlogo.search
             {
                 rowsToRetest.copyFrom(_changed);
             }
-            this.anySweeps = anySweeps;
+            anySweeps = _table.anySweeps;
             if (anySweeps)
             {
                 makeRoom(_table.listed.rowCapacity);

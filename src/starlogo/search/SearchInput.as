@@ -39,7 +39,7 @@ package starlogo.search
         // The answers of a filter, by index in the list.
         private var _answers:Vector.<Boolean> = new Vector.<Boolean>();
 
-        // The members, if some rows are none.
+        // The members among some rows.
         private var _members:IntList = new IntList();
 
         /**
@@ -93,7 +93,7 @@ package starlogo.search
             }
         }
 
-        /** The members of the search among all rows of a table, until the next call. */
+        /** The members of the search among all rows of a table, until the next call of this method or of <code>membersAmong()</code>. */
         public function membersOf(table:AgentTable):IntList
         {
             var rows:IntList = table.listed.rows;
@@ -101,21 +101,21 @@ package starlogo.search
             {
                 return rows;
             }
-            copyMembers(rows, table, _members);
-            return _members;
+            return membersAmong(rows, table);
         }
 
-        /** Copies the members among some rows of a table. @param out receives them */
-        public function copyMembers(rows:IntList, table:AgentTable, out:IntList):void
+        /** The members among some rows of a table: a list that the caller may change, until the next call. */
+        public function membersAmong(rows:IntList, table:AgentTable):IntList
         {
-            out.count = 0;
+            _members.count = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
                 if (isMember(rows.values[i], table))
                 {
-                    out.add(rows.values[i]);
+                    _members.add(rows.values[i]);
                 }
             }
+            return _members;
         }
 
         /** Whether a row of a table is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */

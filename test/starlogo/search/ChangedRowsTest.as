@@ -39,7 +39,6 @@ package starlogo.search
                 listen(collision);
                 var agents:Vector.<Agent> = scattered(200, 12);
                 collision.update(agents);
-                collision.update(agents);
                 var collisions:int = collision.statistics.collisions;
                 assertTrue(collisions > 20 && collision.statistics.candidatePairs >= collisions);
                 collision.update(agents);
@@ -56,7 +55,6 @@ package starlogo.search
             var collision:Collision = new Collision(new TightestFitCollider(_greatLand));
             listen(collision);
             var agents:Vector.<Agent> = scattered(200, 12);
-            collision.update(agents);
             collision.update(agents);
             var all:int = collision.statistics.candidatePairs;
             for (var i:int = 0; i < 5; i++)
@@ -79,7 +77,6 @@ package starlogo.search
                         note(pairs, a, b);
                     });
                 var agents:Vector.<Agent> = scattered(120, 9);
-                collision.update(agents);
                 collision.update(agents);
                 var before:String = "";
                 var changes:int = 0;
@@ -109,7 +106,6 @@ package starlogo.search
             {
                 var system:CollisionSystem = newSystem(kind);
                 var agents:Vector.<Agent> = scattered(120, 9);
-                system.findCollisions(agents);
                 system.findCollisions(agents);
                 for (var i:int = 0; i < 25; i++)
                 {
@@ -224,7 +220,6 @@ package starlogo.search
             var filter:AgentFilter = new AgentFilter();
             collision.filter = filter;
             var agents:Vector.<Agent> = scattered(200, 12);
-            collision.update(agents);
             collision.update(agents);
             var all:int = collision.statistics.candidatePairs;
             filter.except = new <Agent>[agents[3], agents[4]];

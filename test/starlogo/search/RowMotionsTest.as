@@ -67,8 +67,8 @@ package starlogo.search
                     continue;
                 }
                 _table.setList(listed);
-                _motions.read(true);
-                _table.readChanges();
+                _motions.read();
+                _table.readPlaces();
                 for each (agent in listed)
                 {
                     var row:int = _table.listed.rowOf(agent);

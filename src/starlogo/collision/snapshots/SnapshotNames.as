@@ -63,7 +63,7 @@ package starlogo.collision.snapshots
                     throw new RangeError("a name is empty");
                 }
                 // older versions wrote a breed's name that is a model's too once for each
-                _numbers.add(name);
+                _numbers.append(name);
             }
         }
     }

@@ -40,8 +40,9 @@ package starlogo.collision.snapshots
         }
 
         /**
-         * Reads the places of this number of agents: four numbers for each, x, y, z, and 1 for a motion or 0. Returns null if the bytes are none.
+         * Reads the places of this number of agents: four numbers for each, x, y, z, and 1 for a motion or 0.
          *
+         * @throws RangeError if the bytes are none
          * @throws EOFError if they are cut off
          */
         public static function read(bytes:ByteArray, count:int):Vector.<Number>
@@ -55,7 +56,7 @@ package starlogo.collision.snapshots
                 var z:Number = bytes.readDouble();
                 if (flag > 1 || !isInWorld(x, y, z))
                 {
-                    return null;
+                    throw new RangeError("a place is not in the world");
                 }
                 places.push(x, y, z, flag);
             }

@@ -52,22 +52,23 @@ package starlogo.collision.snapshots
             bytes.position = bytes.length;
         }
 
-        /** Reads what agents stand on: for each agent its link, or null. Returns null if the bytes are not that. @throws EOFError if they are cut off */
+        /**
+         * Reads what agents stand on: for each agent its link, or null.
+         *
+         * @throws RangeError if the bytes are not that
+         * @throws EOFError if they are cut off
+         */
         public static function read(bytes:ByteArray, agents:Vector.<Agent>):Vector.<PlatformLink>
         {
             var left:uint = bytes.readUnsignedInt();
-            if (left > agents.length || left * (8 + 8 * NUMBERS) > bytes.bytesAvailable)
-            {
-                return null;
-            }
             var links:Vector.<PlatformLink> = new Vector.<PlatformLink>(agents.length);
             for (; left > 0; left--)
             {
                 var walker:uint = bytes.readUnsignedInt();
                 var on:uint = bytes.readUnsignedInt();
-                if (walker >= agents.length || on >= agents.length || walker == on)
+                if (walker >= agents.length || on >= agents.length || walker == on || links[walker] != null)
                 {
-                    return null;
+                    throw new RangeError("an agent stands on none of the list, or on two");
                 }
                 var link:PlatformLink = new PlatformLink();
                 var numbers:Vector.<Number> = new Vector.<Number>();
@@ -83,7 +84,7 @@ package starlogo.collision.snapshots
                 below.setRows(numbers, 7);
                 if (!isInWorld(numbers[0], numbers[1], numbers[2]) || !isInWorld(below.x, below.y, below.z) || !Agent.isSize(below.size) || !below.isRotation)
                 {
-                    return null;
+                    throw new RangeError("a platform's place is not allowed");
                 }
                 link.platform = agents[on];
                 link.walkerPlace.setTo(numbers[0], numbers[1], numbers[2]);

@@ -87,11 +87,14 @@ package starlogo.collision.snapshots
         {
             var areNew:Boolean = true;
             var other:int = -1;
-            for (var i:int = agents.length - 1; i >= 0; i--)
+            for (var i:int = 0; i < agents.length; i++)
             {
                 var id:int = agents[i].idNumber;
                 areNew = areNew && id > entry.createdCount;
-                other = id == entry.ids[i] ? other : i;
+                if (other < 0 && id != entry.ids[i])
+                {
+                    other = i;
+                }
             }
             return areNew ? -1 : other;
         }

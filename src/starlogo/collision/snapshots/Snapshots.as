@@ -133,10 +133,8 @@ package starlogo.collision.snapshots
                 var formerEnvironment:Vector.<Agent> = _register.recallFormerEnvironment(copy, count, agents) || _unknownEnvironment;
                 names.read(copy);
                 var places:Vector.<Number> = SnapshotPlaces.read(copy, count);
-                requireIntact(places != null);
                 var touches:TouchTracker = readTouches(copy, agents, new <Agent>[ground, edges].concat(formerEnvironment), names);
                 var links:Vector.<PlatformLink> = SnapshotPlatforms.read(copy, agents);
-                requireIntact(links != null);
                 var heights:HeightGrid = (contents & HAS_HEIGHTS) != 0 ? ground.surface.grid.readFrom(copy) : null;
                 var hasTraits:Boolean = (contents & HAS_TRAITS) != 0;
                 requireIntact(hasTraits || copy.position == copy.length);
@@ -170,7 +168,7 @@ package starlogo.collision.snapshots
                     readTraits(bytes, agents, names);
                 }
                 SnapshotPlaces.restore(places, agents, search.table);
-                search.invalidatePairs();
+                search.forgetPairs();
             }
             catch (error:Error)
             {

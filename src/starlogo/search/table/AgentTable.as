@@ -1,5 +1,5 @@
-// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. setList() finds the rows to read, readChanges() reads
-// them.
+// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. setList() reads the agents' bodies, readPlaces() their
+// places.
 // This file is long because all that writes the columns of a row is in it.
 package starlogo.search.table
 {
@@ -52,10 +52,13 @@ package starlogo.search.table
         /** By row: the extents of the row's body at that place, copied for the bins. */
         engine var extents:Extents = new Extents();
 
+        /** Whether an agent of the list sweeps. */
+        engine var anySweeps:Boolean = false;
+
         /** The number of rows read last whose models are still loading. */
         engine var loadingCount:int = 0;
 
-        /** The rows that <code>readChanges()</code> reads, because their agents have changed. */
+        /** The rows whose agents have changed, or whose models were replaced. */
         engine var changed:IntList = new IntList();
 
         /** The rows of the ground and the edges of the world, if the last <code>readEnvironment()</code> found others, or found them changed. */
@@ -91,12 +94,12 @@ package starlogo.search.table
         public function read(agents:Vector.<Agent>):void
         {
             setList(agents);
-            readChanges();
+            readPlaces();
         }
 
         /**
-         * Takes a list of agents, and finds the rows to read. From now on the rows of agents that have left are empty, and no motion begins where an
-         * agent had another model. Otherwise the rows stay as the last search has read them, until <code>readChanges()</code>.
+         * Takes a list of agents, and reads the bodies that have changed. From now on the rows of agents that have left are empty, and no motion begins
+         * where an agent had another model. The places stay as the last search has read them, until <code>readPlaces()</code>: motions begin there.
          *
          * @throws ArgumentError if an agent is null or listed twice, or its model is unknown or lacks data that is needed. All rows that are
          *     listed are then unchanged
@@ -106,25 +109,31 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;
-            if (agents.length != listed.rows.count || !tryFindChanged(agents))
+            if (!listed.isListed(agents))
             {
                 listed.propose(agents);
                 requireShapes(agents);
                 listed.accept(agents);
                 makeRoom();
                 applyListChanges();
-                // always finds them, because the rows are those of the agents
-                tryFindChanged(agents);
             }
+            findChanged(agents);
             findShapes();
-            forgetStartsOfOtherModels();
+            writeShapes();
         }
 
-        /** Reads the rows that have changed. Throws nothing. */
-        public function readChanges():void
+        /** Reads the places and the breeds of the rows that have changed. Throws nothing. */
+        public function readPlaces():void
         {
-            writePlaces();
-            writeShapes();
+            for (var i:int = 0; i < changed.count; i++)
+            {
+                var row:int = changed.values[i];
+                var agent:Agent = listed.agentsByRow[row];
+                _startRevisions[row] = agent.revision;
+                breeds[row] = agent.breedNumber;
+                writePlace(row, agent);
+                extents.assignLevel(row);
+            }
         }
 
         /**
@@ -271,27 +280,23 @@ package starlogo.search.table
             return shapes[row] != null && !shapes[row].isStale && listed.agentsByRow[row].bodyRevision == _bodyRevisions[row];
         }
 
-        // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). If a row is another agent's, it stops
-        // and returns false. It compares agents and rows on the way, because a second loop would read all of them again.
-        private function tryFindChanged(agents:Vector.<Agent>):Boolean
+        // Finds the rows whose agents have changed since the last search, those whose bodies have (_reshaped), and whether an agent sweeps.
+        private function findChanged(agents:Vector.<Agent>):void
         {
             var rows:Vector.<int> = listed.rows.values;
-            var byRow:Vector.<Agent> = listed.agentsByRow;
             var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
             var end:int = agents.length;
             var changedRows:IntList = changed;
             var reshaped:IntList = _reshaped;
+            var isSweeping:Boolean = false;
             changedRows.count = reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
                 var agent:Agent = agents[i];
-                if (byRow[row] !== agent)
-                {
-                    return false;
-                }
+                isSweeping = isSweeping || agent.isSweeping;
                 // isBodyCurrent(), written out for the loop
                 var shape:ModelShape = shapesSeen[row];
                 var isShapeStale:Boolean = shape == null || shape.isStale;
@@ -304,7 +309,7 @@ package starlogo.search.table
                     changedRows.add(row);
                 }
             }
-            return true;
+            anySweeps = isSweeping;
         }
 
         // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.
@@ -358,47 +363,6 @@ package starlogo.search.table
             }
         }
 
-        // Finds the new shapes of rows.
-        private function findShapes():void
-        {
-            for (var i:int = 0; i < _reshaped.count; i++)
-            {
-                _newShapes[i] = _choice.shapeOf(listed.agentsByRow[_reshaped.values[i]]);
-            }
-        }
-
-        // Lets no motion begin where a row had the shape of another model, or none.
-        private function forgetStartsOfOtherModels():void
-        {
-            for (var i:int = 0; i < _reshaped.count; i++)
-            {
-                var before:ModelShape = shapes[_reshaped.values[i]];
-                var next:ModelShape = _newShapes[i];
-                if (before == null || next == null || next.modelName != before.modelName)
-                {
-                    _startRevisions[_reshaped.values[i]] = NO_START;
-                }
-            }
-        }
-
-        // Writes the places and the breeds of the rows that have changed, and moves their extents.
-        private function writePlaces():void
-        {
-            for (var i:int = 0; i < changed.count; i++)
-            {
-                var row:int = changed.values[i];
-                var agent:Agent = listed.agentsByRow[row];
-                _startRevisions[row] = agent.revision;
-                breeds[row] = agent.breedNumber;
-                writePlace(row, agent);
-                // a new row has no level, and its extents are not known yet
-                if (extents.levelIndices[row] != 0)
-                {
-                    extents.assignLevel(row);
-                }
-            }
-        }
-
         // Writes the place of one agent as it is now.
         private function writePlace(row:int, agent:Agent):void
         {
@@ -423,17 +387,31 @@ package starlogo.search.table
             extents.assignLevel(row);
         }
 
-        // Gives rows the shapes that findShapes has found, and reads their bodies. Rows whose models are loading are read again in every search.
+        // Finds the new shapes of rows: all before the first row changes, because one may be refused.
+        private function findShapes():void
+        {
+            for (var i:int = 0; i < _reshaped.count; i++)
+            {
+                _newShapes[i] = _choice.shapeOf(listed.agentsByRow[_reshaped.values[i]]);
+            }
+        }
+
+        // Gives rows their new shapes, and reads their bodies. No motion begins where a row had the shape of another model, or none. Rows whose models are
+        // loading are read again in every search.
         private function writeShapes():void
         {
             loadingCount = 0;
             for (var i:int = 0; i < _reshaped.count; i++)
             {
-                writeShape(_reshaped.values[i], _newShapes[i]);
-                if (_newShapes[i] == null)
+                var row:int = _reshaped.values[i];
+                var before:ModelShape = shapes[row];
+                var next:ModelShape = _newShapes[i];
+                if (before == null || next == null || next.modelName != before.modelName)
                 {
-                    loadingCount++;
+                    _startRevisions[row] = NO_START;
                 }
+                loadingCount += int(next == null);
+                writeShape(row, next);
                 // a shape of a model that is replaced later would stay in memory
                 _newShapes[i] = null;
             }

@@ -91,18 +91,14 @@ package starlogo.search.table
         /** Whether the rows belong to the agents of a list, in its order. */
         public function isListed(list:Vector.<Agent>):Boolean
         {
-            if (list.length != rows.count)
+            var listed:Vector.<int> = rows.values;
+            var byRow:Vector.<Agent> = agentsByRow;
+            var isSame:Boolean = list.length == rows.count;
+            for (var i:int = 0; isSame && i < list.length; i++)
             {
-                return false;
+                isSame = byRow[listed[i]] === list[i];
             }
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                if (agentsByRow[rows.values[i]] !== list[i])
-                {
-                    return false;
-                }
-            }
-            return true;
+            return isSame;
         }
 
         /**

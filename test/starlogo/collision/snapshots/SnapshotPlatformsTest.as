@@ -2,8 +2,8 @@ package starlogo.collision.snapshots
 {
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertNotNull;
-    import org.flexunit.asserts.assertNull;
     import starlogo.agents.Agent;
+    import support.assertThrows;
 
     /** A snapshot's standings: each number that no game can have is refused. */
     public class SnapshotPlatformsTest
@@ -40,7 +40,7 @@ package starlogo.collision.snapshots
             {
                 for each (var value:Number in each[1])
                 {
-                    assertNull("at " + each[0] + ": " + value, SnapshotPlatforms.read(standing(each[0], value), _agents));
+                    assertThrows(RangeError, /place is not allowed/, SnapshotPlatforms.read, standing(each[0], value), _agents);
                 }
             }
         }
@@ -54,7 +54,8 @@ package starlogo.collision.snapshots
                 bytes.position = each[0];
                 bytes.writeInt(each[1]);
                 bytes.position = 0;
-                assertNull("at " + each[0] + ": " + each[1], SnapshotPlatforms.read(bytes, _agents));
+                // the bytes end before a standing that is counted
+                assertThrows(each[0] == 0 ? Error : RangeError, "", SnapshotPlatforms.read, bytes, _agents);
             }
         }
 

@@ -83,7 +83,7 @@ package starlogo.search.table
             _table.setList(_agents);
             assertEquals("rows to read", 1, _table.changed.count);
             assertEquals(2, _table.places.x[row]);
-            _table.readChanges();
+            _table.readPlaces();
             assertEquals(5, _table.places.x[row]);
             _table.writeLastPlace(row, 5, 0, 0, false);
             assertTrue(!_table.isMotionStart(row));

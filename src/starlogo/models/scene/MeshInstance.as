@@ -70,7 +70,12 @@ package starlogo.models.scene
                 });
         }
 
-        /** Places the moved points, in place of the node. @param transform from the points to the scene @param isMirror whether the mesh is mirrored there */
+        /**
+         * Says where the moved points are in the scene, if the node does not.
+         *
+         * @param transform takes them to the scene
+         * @param isMirror whether the mesh is mirrored there
+         */
         public function putAt(transform:AffineTransform, isMirror:Boolean):void
         {
             _transform = transform;
@@ -78,10 +83,10 @@ package starlogo.models.scene
         }
 
         /**
-         * The steps that move points a part of the way to the points of a morph target.
+         * The steps that move some points a part of the way to the points of a morph target.
          *
-         * @param points some of the instance's points
-         * @param first the index of the first one
+         * @param points all points of the instance
+         * @param first the index of the first point that moves
          * @param weight the part of the way
          * @param target the points of the target
          * @param base where the way begins; null if the target has the ways themselves

@@ -35,9 +35,8 @@ package starlogo.models.gltf
         private var _file:GltfFile;
         private var _jointCount:int;
 
-        // the primitives with morph targets, and the first vertex of each
-        private var _morphed:Vector.<GltfJson> = new Vector.<GltfJson>();
-        private var _firsts:Vector.<int> = new Vector.<int>();
+        private var _morphed:Vector.<GltfJson> = new Vector.<GltfJson>(); // the primitives with morph targets
+        private var _firsts:Object = {}; // the first vertex of what primitives share, by the index of its positions, and the place of one that shares nothing
 
         /**
          * @param file the file; all its steps must be done
@@ -54,11 +53,9 @@ package starlogo.models.gltf
             {
                 isDeformed = json.element("primitives", i).has("targets");
             }
-            // the first vertex of what primitives share, by what it depends on
-            var firsts:Object = {};
             mesh.beginEach(json.count("primitives"), function(index:int):Steps
                 {
-                    return readingPrimitive(json.element("primitives", index), firsts);
+                    return readingPrimitive(json.element("primitives", index));
                 });
         }
 
@@ -74,7 +71,7 @@ package starlogo.models.gltf
             return new StepSequence().beginEach(_morphed.length, function(index:int):Steps
                 {
                     var primitive:GltfJson = _morphed[index];
-                    var first:int = _firsts[index];
+                    var rest:int = primitive.object("attributes").indexOrNone("POSITION", "accessors");
                     return new StepSequence().beginEach(Math.min(primitive.count("targets"), weights.length), function(target:int):Steps
                         {
                             var position:int = primitive.element("targets", target).indexOrNone("POSITION", "accessors");
@@ -83,17 +80,17 @@ package starlogo.models.gltf
                                 return new StepSequence();
                             }
                             var ways:GltfAccessor = _file.accessor(position, "VEC3");
-                            ways.requireCount(_file.accessor(primitive.object("attributes").indexOrNone("POSITION", "accessors"), "VEC3").count);
+                            ways.requireCount(_file.accessor(rest, "VEC3").count);
                             return new StepSequence().add(ways).begin(function():Steps
                                 {
-                                    return instance.morphing(points, first, weights[target], ways.numbers, null);
+                                    return instance.morphing(points, _firsts[rest + primitive.place], weights[target], ways.numbers, null);
                                 });
                         });
                 });
         }
 
         // The steps that read a primitive: its vertices, and its triangles, which all have one material. No steps if it has no vertices.
-        private function readingPrimitive(primitive:GltfJson, firsts:Object):Steps
+        private function readingPrimitive(primitive:GltfJson):Steps
         {
             var work:StepSequence = new StepSequence();
             primitive.refuseIf(primitive.hasExtension(GltfFile.DRACO), "it is " + GltfFile.DRACO_PROBLEM);
@@ -107,24 +104,23 @@ package starlogo.models.gltf
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
             var key:String = position + (isPlain ? "" : primitive.place);
-            if (!(key in firsts))
+            if (!(key in _firsts))
             {
-                firsts[key] = mesh.points.length / 3;
+                _firsts[key] = mesh.points.length / 3;
                 addVertices(work, primitive, attributes, positions);
             }
             var mode:int = primitive.integer("mode", FAN, TRIANGLES);
             if (mode >= TRIANGLES)
             {
                 mesh.beginPrimitive(String(primitive.indexOrNone("material", "materials")));
-                addTriangles(work, mode, primitive, firsts[key], positions.count);
+                addTriangles(work, mode, primitive, _firsts[key], positions.count);
             }
             return work;
         }
 
         private function addVertices(work:StepSequence, primitive:GltfJson, attributes:GltfJson, positions:GltfAccessor):void
         {
-            var firstVertex:int = mesh.points.length / 3;
-            _file.budget.checkMeshSize(firstVertex + Number(positions.count), 0, primitive.place);
+            _file.budget.checkMeshSize(mesh.points.length / 3 + positions.count, 0, primitive.place);
             work.add(positions).call(function():void
                 {
                     mesh.addPoints(positions.numbers);
@@ -132,7 +128,6 @@ package starlogo.models.gltf
             if (primitive.count("targets") > 0)
             {
                 _morphed.push(primitive);
-                _firsts.push(firstVertex);
             }
             if (influences != null)
             {
@@ -231,11 +226,7 @@ package starlogo.models.gltf
         // The index of a corner of triangle n. That of a fan has the corners n+1, n+2 and 0. In a strip it has n, n+1 and n+2; every second one is reversed.
         private static function cornerOf(triangle:int, corner:int, isFan:Boolean):int
         {
-            if (isFan)
-            {
-                return corner == 2 ? 0 : triangle + corner + 1;
-            }
-            return triangle + (corner == 0 || (triangle & 1) == 0 ? corner : 3 - corner);
+            return isFan ? (corner == 2 ? 0 : triangle + corner + 1) : triangle + (corner == 0 || (triangle & 1) == 0 ? corner : 3 - corner);
         }
     }
 }

@@ -313,6 +313,8 @@ package starlogo.models.collada
         {
             return new StepSequence().add(skin).begin(function():Steps
                 {
+                    var count:int = skin.influences.offsets.length - 1;
+                    skin.element.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
                     return instance.skinning(points, skin.influences, skin.jointMatricesOf(jointTransform, node, element), skin.element);
                 });
         }

@@ -107,17 +107,15 @@ package starlogo.models.scene
          * The steps that move points to where joints put them in the scene.
          *
          * @param points all points of the instance
-         * @param influences says which joints each point follows
+         * @param influences says which joints each of these points follows
          * @param jointMatrices what each joint does to points
          * @param skin the skin's place in the file, for errors
          */
         public function skinning(points:Vector.<Number>, influences:JointInfluences, jointMatrices:Vector.<AffineTransform>, skin:Object):Steps
         {
-            var count:int = influences.offsets.length - 1;
-            refuseModelIf(points.length != 3 * count, _scene.budget.modelName, "it has weights for " + count + " points, but its geometry has " + points.length / 3, skin);
             _scene.budget.spendNumbers(2 * influences.joints.length, skin);
             putAt(new AffineTransform(), jointMatrices[0].isMirror);
-            return new StepSequence().slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(points.length / 3, SKINNED_PER_STEP, function(first:int, end:int):void
                 {
                     refuseModelIf(!influences.skinPoints(points, jointMatrices, first, end), _scene.budget.modelName,
                             "it moves points too far: their coordinates are not finite numbers", skin);

@@ -52,13 +52,13 @@ package starlogo.libraries
             ModelTable.requireCoordinates(model.name, model.vertices);
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
             tree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
-            structures = structuresLibrary == null ? null : structuresLibrary.newStructures(model.vertices);
+            structures = structuresLibrary == null ? null : new ModelStructures(model.vertices, structuresLibrary.hullFitter, structuresLibrary.keepAll);
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
             }
             // made now, so that later changes of the fitters' settings do not count
-            var fitting:Steps = hasStructures ? null : structuresLibrary.newBuilder(model.name, structures);
+            var fitting:Steps = hasStructures ? null : structuresLibrary.finding(model.name, structures);
             if (store == null || isComplete)
             {
                 add(computing(fitting));

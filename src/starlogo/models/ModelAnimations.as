@@ -63,8 +63,8 @@ package starlogo.models
         }
 
         /**
-         * The vertices at a time of an animation, in the coordinates of the model's source, for <code>Model.pose()</code>. Cost: for glTF that of
-         * reading the file's meshes, without the file itself; for COLLADA that of placing them.
+         * The vertices at a time of an animation, in the coordinates of the model's source, for <code>Model.pose()</code>. Cost: that of
+         * placing the scene's meshes, which are read once.
          *
          * @param animation its index
          * @param time seconds; it counts as 0 if it is less, and as the duration if it is more. Before the first key, nothing moves

@@ -1,6 +1,9 @@
 package starlogo.models.animation
 {
-    import starlogo.models.building.ModelBuilder;
+    import starlogo.geometry.AffineTransform;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.scene.Scene;
+    import starlogo.steps.finish;
 
     /**
      * An animation of a model's file. Its channels set the numbers of a pose.
@@ -17,20 +20,20 @@ package starlogo.models.animation
 
         private var _channels:Vector.<AnimationChannel>;
         private var _start:Number;
-        private var _newReader:Function;
+        private var _scene:Scene;
 
         /**
          * @param name its name; "" if it has none
          * @param channels what moves
-         * @param newReader <code>function(pose:Pose):FormatReader</code>; reads the file in a pose
+         * @param scene moves; read before a pose is asked for
          * @param start when it starts, in the time of the samplers' keys
          * @param end when it ends, in the same time; NaN for the last key
          */
-        public function FileAnimation(name:String, channels:Vector.<AnimationChannel>, newReader:Function, start:Number = 0, end:Number = NaN)
+        public function FileAnimation(name:String, channels:Vector.<AnimationChannel>, scene:Scene, start:Number = 0, end:Number = NaN)
         {
             this.name = name;
             _channels = channels;
-            _newReader = newReader;
+            _scene = scene;
             _start = start;
             var last:Number = start;
             for each (var channel:AnimationChannel in channels)
@@ -48,7 +51,11 @@ package starlogo.models.animation
             {
                 channel.applyTo(pose, _start + Math.max(0, Math.min(time, duration)));
             }
-            return ModelBuilder.verticesOf(_newReader(pose));
+            var posed:ModelData = new ModelData(_scene.data.name);
+            _scene.enter(pose);
+            finish(_scene.adding(posed));
+            finish(AffineTransform.toZUp(_scene.data.upAxis).transformingPoints(posed.vertices));
+            return posed.vertices;
         }
     }
 }

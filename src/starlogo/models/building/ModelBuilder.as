@@ -78,15 +78,6 @@ package starlogo.models.building
             return new ModelBuilder(data).build();
         }
 
-        /** The vertices that a reader reads, z up and not normalised. None of its steps is done yet. */
-        public static function verticesOf(reader:FormatReader):Vector.<Number>
-        {
-            finish(reader);
-            var data:ModelData = reader.data;
-            finish(AffineTransform.toZUp(data.upAxis).transformingPoints(data.vertices));
-            return data.vertices;
-        }
-
         /** Does all steps that are left. Returns the data, which are complete then. */
         public function build():ModelData
         {

@@ -2,9 +2,8 @@ package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
-    import starlogo.models.animation.Pose;
-    import starlogo.models.building.FormatReader;
     import starlogo.models.files.ModelFile;
+    import starlogo.models.scene.Scene;
     import starlogo.steps.finish;
 
     /**
@@ -24,18 +23,14 @@ package starlogo.models.collada
          */
         public static function allIn(name:String, text:String, upAxis:Object):Vector.<FileAnimation>
         {
-            var document:ColladaDocument = new ColladaDocument(new ModelFile(name, null, text));
-            finish(document);
-            document.budget.reset();
+            var reader:ColladaReader = new ColladaReader(new ModelFile(name, null, text), upAxis, null);
+            var scene:Scene = reader.scene;
             var read:Object = {};
-            var newReader:Function = function(pose:Pose):FormatReader
-            {
-                document.budget.reset();
-                return new ColladaReader(document, upAxis, null, pose);
-            };
+            finish(reader.xml);
+            scene.budget.reset();
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
-            var all:Vector.<ColladaElement> = document.entriesOf("library_animations", "animation");
-            var clips:Vector.<ColladaElement> = document.entriesOf("library_animation_clips", "animation_clip");
+            var all:Vector.<ColladaElement> = reader.entriesOf("library_animations", "animation");
+            var clips:Vector.<ColladaElement> = reader.entriesOf("library_animation_clips", "animation_clip");
             for each (var clip:ColladaElement in clips)
             {
                 var parts:Vector.<ColladaElement> = new Vector.<ColladaElement>();
@@ -46,11 +41,16 @@ package starlogo.models.collada
                 var start:Number = clip.toNumber(clip.attribute("start") || "0");
                 var end:Number = clip.attribute("end") == "" ? NaN : clip.toNumber(clip.attribute("end"));
                 clip.refuseIf(end < start, "it ends before it starts");
-                animations.push(new FileAnimation(clip.attribute("name") || clip.id, channelsOf(parts, read), newReader, start, end));
+                animations.push(new FileAnimation(clip.attribute("name") || clip.id, channelsOf(parts, read), scene, start, end));
             }
             if (clips.length == 0 && all.length > 0)
             {
-                animations.push(new FileAnimation("", channelsOf(all, read), newReader));
+                animations.push(new FileAnimation("", channelsOf(all, read), scene));
+            }
+            if (animations.length > 0)
+            {
+                scene.budget.reset();
+                finish(reader);
             }
             return animations;
         }

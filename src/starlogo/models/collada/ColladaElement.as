@@ -150,6 +150,20 @@ package starlogo.models.collada
             return input;
         }
 
+        /** How many indices its inputs take together, as their offsets say. @throws ModelError if an offset is wrong */
+        public function inputStride():int
+        {
+            const MAX_OFFSET:int = 255;
+            var stride:int = 1;
+            for each (var input:ColladaElement in childrenNamed("input"))
+            {
+                var offset:Number = input.integer("offset", 0);
+                input.refuseIf(offset > MAX_OFFSET, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset);
+                stride = Math.max(stride, offset + 1);
+            }
+            return stride;
+        }
+
         /**
          * The element that an attribute refers to.
          *

@@ -1,15 +1,19 @@
 package starlogo.models.collada
 {
+    import starlogo.data.keyOf;
     import starlogo.models.polygons.Triangulator;
+    import starlogo.models.scene.SceneMesh;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** Reads one COLLADA primitive that has a surface: triangles, polylist, polygons, tristrips or trifans. */
+    /**
+     * Reads one primitive of a COLLADA geometry, in small steps, if it has a surface: triangles, polylist, polygons, tristrips or trifans. Splines,
+     * solids and lines count as having no surface.
+     */
     internal final class ColladaPrimitive extends StepSequence
     {
         private static const CORNERS_PER_STEP:int = 1500;
-        private static const MAX_OFFSET:int = 255;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
         private var _element:ColladaElement;
@@ -17,7 +21,7 @@ package starlogo.models.collada
         private var _triangulator:Triangulator;
 
         // A corner takes _stride indices. The one at _offset is its position's.
-        private var _stride:int = 1;
+        private var _stride:int;
         private var _offset:int;
 
         /**
@@ -30,7 +34,8 @@ package starlogo.models.collada
             _element = element;
             _points = points;
             _triangulator = triangulator;
-            readInputs();
+            _stride = element.inputStride();
+            _offset = positionInput(element).integer("offset", 0);
             var lists:Vector.<ColladaElement> = element.childrenNamed("p");
             switch (element.name)
             {
@@ -48,33 +53,55 @@ package starlogo.models.collada
             }
         }
 
-        /** Whether an element is a primitive with a surface. Some programs write empty primitives without inputs. These do not count. */
-        internal static function isSurface(element:ColladaElement):Boolean
+        /** The mesh of a geometry. None of its steps is done yet. */
+        internal static function meshOf(geometry:ColladaElement):SceneMesh
         {
-            return NAMES.indexOf(element.name) >= 0 && element.attribute("count") != "0";
+            var mesh:SceneMesh = new SceneMesh();
+            var element:ColladaElement = geometry.child("mesh") || geometry.child("convex_mesh");
+            var triangulator:Triangulator = new Triangulator(geometry.budget, mesh.points, mesh.triangles);
+            var pointsOfSources:Object = {}; // by keyOf() the source's id
+            var hasSurface:Boolean = false;
+            for each (var child:ColladaElement in element == null ? null : element.children)
+            {
+                // some programs write empty primitives without inputs
+                if (NAMES.indexOf(child.name) >= 0 && child.attribute("count") != "0")
+                {
+                    hasSurface = true;
+                    addPrimitive(mesh, child, triangulator, pointsOfSources);
+                }
+            }
+            var vertices:ColladaElement = element == null || hasSurface ? null : element.child("vertices");
+            return vertices == null ? mesh : SceneMesh(mesh.begin(function():Steps
+                    {
+                        return pointsOf(vertices, mesh, pointsOfSources);
+                    }));
         }
 
-        /**
-         * The input with the positions of a primitive's corners.
-         *
-         * @throws ModelError if there is none
-         */
-        internal static function positionInput(element:ColladaElement):ColladaElement
+        // Adds the steps that read a primitive, after those that read its points.
+        private static function addPrimitive(mesh:SceneMesh, element:ColladaElement, triangulator:Triangulator, pointsOfSources:Object):void
+        {
+            mesh.begin(function():Steps
+                {
+                    var target:ColladaElement = positionInput(element).target("source", ["vertices", "source"], element.parent);
+                    var points:ColladaAccessor = pointsOf(target, mesh, pointsOfSources);
+                    mesh.beginPrimitive(element.attribute("material"));
+                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, triangulator));
+                });
+        }
+
+        // The points of a source, or of the source that an element "vertices" refers to. They are read once: several primitives may share them.
+        private static function pointsOf(element:ColladaElement, mesh:SceneMesh, pointsOfSources:Object):ColladaAccessor
+        {
+            var source:ColladaElement = element.name == "source" ? element : element.requiredInput("POSITION").target("source", ["source"], element.parent);
+            return pointsOfSources[keyOf(source.id)] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, mesh.points);
+        }
+
+        // The input with the positions of a primitive's corners.
+        private static function positionInput(element:ColladaElement):ColladaElement
         {
             var input:ColladaElement = element.child("input", "VERTEX") || element.child("input", "POSITION");
             element.refuseIf(input == null, "expected an <input> with the semantic VERTEX");
             return input;
-        }
-
-        private function readInputs():void
-        {
-            for each (var input:ColladaElement in _element.childrenNamed("input"))
-            {
-                var offset:Number = input.integer("offset", 0);
-                input.refuseIf(offset > MAX_OFFSET, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset);
-                _stride = Math.max(_stride, offset + 1);
-            }
-            _offset = positionInput(_element).integer("offset", 0);
         }
 
         // The own texts of some elements, one after the other.

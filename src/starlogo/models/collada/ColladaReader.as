@@ -1,28 +1,32 @@
 package starlogo.models.collada
 {
     import flash.geom.Vector3D;
+    import starlogo.data.lastAtMost;
     import starlogo.geometry.AffineTransform;
     import starlogo.models.Model;
+    import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
     import starlogo.models.animation.Pose;
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.removingUnusedVertices;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.files.FileBudget;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
+    import starlogo.models.scene.MeshInstance;
+    import starlogo.models.scene.Scene;
+    import starlogo.models.scene.SceneMesh;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
-     * Reads a COLLADA document, at rest or in a pose. ColladaModel says which parts. Its steps visit the nodes of the scene, and find where these are,
-     * and their geometries. If there is no scene, it takes all geometries of the library.
+     * Reads a COLLADA document. ColladaModel says which parts. Its steps visit the nodes of the scene, and find the instances of geometries. If there
+     * is no scene, it takes all geometries of the library. Then the Scene adds them to the model.
      *
-     * <p>A ColladaDocument has an XmlReader, which makes ColladaElements of the text, and keeps what several poses share. The transforms of
-     * ColladaNodes come from ColladaTransforms. Each geometry is a ColladaMesh. It has the points of ColladaAccessors, and
-     * the triangles of ColladaPrimitives. Each instance of a geometry is a ColladaInstance, which adds the mesh to the model.</p>
-     *
-     * <p>Before that, it moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A ColladaSkin has the
-     * JointInfluences of its points, and finds its joints among the nodes.</p>
+     * <p>An XmlReader makes ColladaElements of the text. The transforms of nodes come from ColladaTransforms. An element that other nodes instantiate is
+     * several nodes of the Scene. Each geometry becomes a SceneMesh, with the points of ColladaAccessors and the triangles of ColladaPrimitives.</p>
      *
      * @private
      */
@@ -31,44 +35,49 @@ package starlogo.models.collada
         private static const ELEMENTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
         private static const MAX_CONTROLLERS:int = 16;
-        private static const NO_DEFORMERS:Vector.<ColladaElement> = new Vector.<ColladaElement>();
 
         // a node takes more memory than an element
         private static const ELEMENTS_PER_NODE:int = 2;
 
-        /** The document. Its readers share its geometries and skins. Read only. */
-        internal var document:ColladaDocument;
+        /** The steps that read the document's elements. Read only. */
+        internal var xml:XmlReader;
+
+        /** The scene, when no step is left. Read only. */
+        internal var scene:Scene;
 
         private var _data:ModelData;
-        private var _pose:Pose;
-        private var _instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>(); // in the document's order
+        private var _meshes:Object = {}; // by the index of the geometry's element
+        private var _skins:Object = {}; // by the index of the skin's element
 
-        // The nodes so far, and lists of the indices of an element's nodes, by the element's index. Then the node around the next element; null at the
-        // end.
-        private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
-        private var _nodeIndices:Object = {};
-        private var _node:ColladaNode = null;
+        // lists of an element's nodes, by the element's index
+        private var _nodes:Object = {};
+
+        // The elements that are visited next, the last one first. The elements of the nodes around the present element, the outermost one first, and the
+        // innermost one's node: -1 without a scene.
+        private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+        private var _around:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+        private var _node:int = -1;
 
         /**
-         * @param document the document; its steps may be done
+         * @param file the document
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param pose the pose, whose targets are the elements' indices; null at rest
          */
-        public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, pose:Pose = null)
+        public function ColladaReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            this.document = document;
-            _pose = pose;
-            _data = ModelData.forFile(document.budget.modelName, upAxis, scaling, "y");
-            add(document).call(function():void
+            var text:String = file.requireText();
+            var budget:FileBudget = new FileBudget(file.name, text.length);
+            xml = new XmlReader(text, budget);
+            _data = ModelData.forFile(file.name, upAxis, scaling, "y");
+            scene = new Scene(_data, budget);
+            add(xml).call(function():void
                 {
-                    _data.upAxis = upAxis == null ? document.upAxis : _data.upAxis;
-                    if (scaling == Model.AS_GIVEN && _data.transform == null && document.metresPerUnit != 1)
-                    {
-                        _data.transform = new ModelTransform(null, new Vector3D(document.metresPerUnit, document.metresPerUnit, document.metresPerUnit));
-                    }
+                    readAsset(upAxis == null, scaling);
                     enterScene();
-                }).repeat(visitSome).begin(addingInstances).add(removingUnusedVertices(_data.vertices, _data.triangles));
+                }).repeat(visitSome).begin(readingMeshes).begin(function():Steps
+                {
+                    return scene.adding(_data);
+                });
         }
 
         /** @inheritDoc */
@@ -77,74 +86,135 @@ package starlogo.models.collada
             return _data;
         }
 
-        /** Whether there is no pose. */
-        public function get isAtRest():Boolean
+        /** The root, when the elements are read. @throws ModelError if it is not COLLADA */
+        internal function get root():ColladaElement
         {
-            return _pose == null;
+            refuseModelIf(xml.root == null, _data.name, "this is not XML: expected a COLLADA document");
+            xml.root.refuseIf(xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + xml.root.name + ">");
+            return xml.root;
         }
 
-        /** The numbers of an element in the pose; null if they are its own. */
-        public function posedNumbersOf(element:ColladaElement):Vector.<Number>
+        /** The children with a name of all libraries with a name. */
+        internal function entriesOf(libraryName:String, name:String):Vector.<ColladaElement>
         {
-            return isAtRest ? null : _pose.numbersOf(String(element.index));
+            var entries:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+            for each (var library:ColladaElement in root.childrenNamed(libraryName))
+            {
+                for each (var entry:ColladaElement in library.childrenNamed(name))
+                {
+                    entries.push(entry);
+                }
+            }
+            return entries;
         }
 
-        /**
-         * The transform from a joint to the scene, when no step is left.
-         *
-         * @param joint the joint's element
-         * @param skinNode the node with the skin. Of several nodes of the joint, the nearest one counts
-         * @param skin the skin's element, for the error
-         * @throws ModelError if the joint is not in the scene
-         */
-        public function jointTransform(joint:ColladaElement, skinNode:ColladaNode, skin:ColladaElement):AffineTransform
+        // The transform from a joint's node to the scene. A joint may have several nodes. The one with the lowest ancestor in common with the skin's node
+        // counts, the first of several. So each of several figures has joints of its own.
+        private function jointTransform(joint:ColladaElement, skinNode:int, skin:ColladaElement):AffineTransform
         {
-            var indices:Vector.<Number> = _nodeIndices[joint.index];
-            skin.refuseIf(indices == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
-            return _nodes[skinNode.withLowestCommonAncestor(indices)].transform;
+            var nodes:Vector.<Number> = _nodes[joint.index];
+            skin.refuseIf(nodes == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
+            // nodes have the order of the visit, so the lowest ancestor is that of the joint's last node before the skin's, or of the next one
+            var before:int = lastAtMost(nodes, skinNode);
+            var next:int = Math.min(before + 1, nodes.length - 1);
+            var ancestor:int = Math.max(commonAncestor(nodes[before], skinNode), commonAncestor(nodes[next], skinNode));
+            var first:int = lastAtMost(nodes, ancestor - 1);
+            return scene.transformOf(nodes[first] < ancestor ? nodes[first + 1] : nodes[first]);
+        }
+
+        // The lowest node around two nodes, which may be one of these. Nodes come after those around them.
+        private function commonAncestor(node:int, other:int):int
+        {
+            while (node != other)
+            {
+                if (node > other)
+                {
+                    node = scene.parents[node];
+                }
+                else
+                {
+                    other = scene.parents[other];
+                }
+            }
+            return node;
+        }
+
+        // The up axis is y if none is named. A unit that is no length counts as a metre.
+        private function readAsset(usesAxis:Boolean, scaling:String):void
+        {
+            var asset:ColladaElement = root.child("asset");
+            var axis:ColladaElement = asset == null || !usesAxis ? null : asset.child("up_axis");
+            var unit:ColladaElement = asset == null ? null : asset.child("unit");
+            if (axis != null)
+            {
+                var named:String = TextWords.trimmed(axis.text);
+                axis.refuseIf(!/^[XYZ]_UP$/.test(named), "expected X_UP, Y_UP or Z_UP, but found \"" + shortened(named) + "\"");
+                _data.upAxis = named.charAt(0).toLowerCase();
+            }
+            var metres:Number = unit == null ? 1 : TextWords.toNumber(unit.attribute("meter"));
+            if (scaling == Model.AS_GIVEN && _data.transform == null && metres > 0 && metres < Infinity && metres != 1)
+            {
+                _data.transform = new ModelTransform(null, new Vector3D(metres, metres, metres));
+            }
         }
 
         private function enterScene():void
         {
-            var scene:ColladaElement = document.root.child("scene");
-            var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
+            var shown:ColladaElement = root.child("scene");
+            var instance:ColladaElement = shown == null ? null : shown.child("instance_visual_scene");
             if (instance != null)
             {
                 enter(instance.target("url", ["visual_scene"]));
                 return;
             }
-            for each (var geometry:ColladaElement in document.entriesOf("library_geometries", "geometry"))
+            for each (var geometry:ColladaElement in entriesOf("library_geometries", "geometry"))
             {
-                addInstance(geometry, geometry, NO_DEFORMERS);
+                addInstance(geometry, geometry);
             }
         }
 
         private function visitSome():Boolean
         {
-            for (var i:int = 0; i < ELEMENTS_PER_STEP && _node != null; i++)
+            for (var i:int = 0; i < ELEMENTS_PER_STEP && _pending.length > 0; i++)
             {
-                var element:ColladaElement = _node.nextElement();
-                if (element == null)
+                var element:ColladaElement = _pending.pop();
+                while (_around[_around.length - 1] != element.parent)
                 {
-                    _node.exit(_nodes.length);
-                    _node = _node.parent;
+                    _around.pop();
+                    _node = scene.parents[_node];
                 }
-                else
-                {
-                    visit(element);
-                }
+                visit(element);
             }
-            return _node != null;
+            return _pending.length > 0;
         }
 
         // The children of an element are visited next.
         private function enter(element:ColladaElement):void
         {
-            (_nodeIndices[element.index] ||= new Vector.<Number>()).push(_nodes.length);
-            _node = new ColladaNode(element, _node, _nodes.length);
-            _nodes.push(_node);
-            element.refuseIf(_node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
+            scene.addNode(_node, placementOf(element));
+            _node = scene.parents.length - 1;
+            (_nodes[element.index] ||= new Vector.<Number>()).push(_node);
+            element.refuseIf(_around.push(element) > MAX_DEPTH + 1, "its nodes are nested more than " + MAX_DEPTH + " deep");
             element.budget.spendElements(ELEMENTS_PER_NODE * (1 + element.children.length), element);
+            for (var i:int = element.children.length - 1; i >= 0; i--)
+            {
+                _pending.push(element.children[i]);
+            }
+        }
+
+        // The function that places a node, by the transforms in its element. The pose's targets are the elements' indices.
+        private static function placementOf(element:ColladaElement):Function
+        {
+            return function(around:AffineTransform, pose:Pose):AffineTransform
+            {
+                for each (var child:ColladaElement in element.children)
+                {
+                    var numbers:Vector.<Number> = pose == null ? null : pose.numbersOf(String(child.index));
+                    var local:AffineTransform = numbers == null ? child.toTransform() : ColladaTransform.of(child, numbers);
+                    around = local == null ? around : around.after(local);
+                }
+                return around;
+            };
         }
 
         // Visits a child of the present node's element.
@@ -153,67 +223,177 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    addInstance(element, element.target("url", ["geometry"]), NO_DEFORMERS);
+                    addInstance(element, element.target("url", ["geometry"]));
                     break;
                 case "instance_controller":
                     addController(element);
                     break;
                 case "instance_node":
                     var inner:ColladaElement = element.target("url", ["node"]);
-                    element.refuseIf(_node.isWithin(inner), "recursive instance_node: it places the node \"" + shortened(inner.id) + "\" within itself");
+                    element.refuseIf(_around.indexOf(inner) >= 0, "recursive instance_node: it places the node \"" + shortened(inner.id) + "\" within itself");
                     enter(inner);
                     break;
                 case "node":
                     enter(element);
                     break;
                 default:
-                    var numbers:Vector.<Number> = posedNumbersOf(element);
-                    var local:AffineTransform = numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
-                    if (local != null)
-                    {
-                        _node.addTransform(local);
-                    }
+                    // a transform that is wrong is refused, even if nothing is at its node
+                    element.toTransform();
             }
         }
 
         // Follows controllers down to the geometry, and finds their skins and morphs.
         private function addController(element:ColladaElement):void
         {
-            var deformers:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+            var chain:Vector.<ColladaElement> = new Vector.<ColladaElement>();
             var target:ColladaElement = element.target("url", ["controller"]);
             while (target.name == "controller")
             {
                 element.budget.spendElements(ELEMENTS_PER_NODE, element);
                 var deformer:ColladaElement = target.child("skin") || target.requiredChild("morph");
                 target = deformer.target("source", ["geometry", "controller"]);
-                element.refuseIf(deformers.length == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
+                element.refuseIf(chain.length == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle");
-                deformers.push(deformer);
+                chain.push(deformer);
+                if (deformer.name == "skin")
+                {
+                    _skins[deformer.index] ||= new ColladaSkin(deformer);
+                }
             }
-            addInstance(element, target, deformers);
+            var node:int = _node;
+            var instance:MeshInstance = addInstance(element, target);
+            instance.deforming = function(points:Vector.<Number>):Steps
+            {
+                return deforming(instance, element, chain, node, points);
+            };
         }
 
-        private function addInstance(element:ColladaElement, geometry:ColladaElement, deformers:Vector.<ColladaElement>):void
+        // The steps that move the points of an instance by a chain of skins and morphs. The last one moves them first. At rest the points are where they were
+        // bound if a skin is wrong, or too much for the limits: what does not move needs no joints.
+        private function deforming(instance:MeshInstance, element:ColladaElement, chain:Vector.<ColladaElement>, node:int, points:Vector.<Number>):Steps
         {
-            _instances.push(new ColladaInstance(this, element, _node, document.meshOf(geometry), deformers));
+            var work:StepSequence = new StepSequence().beginEach(chain.length, function(index:int):Steps
+                {
+                    var deformer:ColladaElement = chain[chain.length - 1 - index];
+                    return deformer.name == "skin" ? skinning(instance, element, _skins[deformer.index], node, points) : morphing(instance, deformer, points);
+                });
+            return new StepSequence().repeat(function():Boolean
+                {
+                    try
+                    {
+                        return work.step();
+                    }
+                    catch (error:ModelError)
+                    {
+                        if (scene.pose != null)
+                        {
+                            throw error;
+                        }
+                        bind(instance, chain, scene.transformOf(node), points);
+                    }
+                    return false;
+                });
         }
 
-        private function addingInstances():Steps
+        // Puts the points of an instance where its skins were bound. @param transform the node's
+        private function bind(instance:MeshInstance, chain:Vector.<ColladaElement>, transform:AffineTransform, points:Vector.<Number>):void
         {
-            var count:int = _instances.length;
-            // all geometries come first, so skins only have what these leave of the limits
+            for each (var deformer:ColladaElement in chain)
+            {
+                transform = deformer.name == "skin" ? transform.after(_skins[deformer.index].bindShape) : transform;
+            }
+            for (var i:int = 0; i < points.length; i++)
+            {
+                points[i] = instance.mesh.points[i];
+            }
+            instance.putAt(transform, transform.isMirror);
+        }
+
+        private function skinning(instance:MeshInstance, element:ColladaElement, skin:ColladaSkin, node:int, points:Vector.<Number>):Steps
+        {
+            return new StepSequence().add(skin).begin(function():Steps
+                {
+                    var count:int = skin.influences.offsets.length - 1;
+                    skin.element.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
+                    return instance.skinning(points, skin.influences, skin.jointMatricesOf(jointTransform, node, element), skin.element);
+                });
+        }
+
+        // At rest a morph is its base shape. The targets of a relative morph are added. Other targets share the shape with the base, whose weight is the rest.
+        private function morphing(instance:MeshInstance, morph:ColladaElement, points:Vector.<Number>):Steps
+        {
+            if (scene.pose == null)
+            {
+                return new StepSequence();
+            }
+            var inputs:ColladaElement = morph.requiredChild("targets");
+            var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
+            var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
+            var posed:Vector.<Number> = scene.pose.numbersOf(String(list.array.index));
+            var weights:Vector.<Number> = posed == null ? list.toNumbers() : list.partOf(posed);
+            morph.refuseIf(targets.words.length > list.count, "it has " + targets.words.length + " targets, but " + list.count + " weights");
+            var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? null : points.slice();
+            return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
+                {
+                    var id:String = shortened(targets.words[index]);
+                    var geometry:ColladaElement = morph.elementAt("geometry", "#" + targets.words[index]);
+                    morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + id + "\"");
+                    var target:SceneMesh = meshOf(geometry);
+                    return new StepSequence().add(target).begin(function():Steps
+                        {
+                            morph.refuseIf(target.points.length != points.length, "its target \"" + id + "\" has another number of points");
+                            return instance.morphing(points, 0, weights[index * list.stride], target.points, base);
+                        });
+                });
+        }
+
+        private function meshOf(geometry:ColladaElement):SceneMesh
+        {
+            return _meshes[geometry.index] ||= ColladaPrimitive.meshOf(geometry);
+        }
+
+        // Adds an instance of a geometry, as a mesh with the name of its node. @param element places it; the geometry itself without a scene
+        private function addInstance(element:ColladaElement, geometry:ColladaElement):MeshInstance
+        {
+            var name:String = nameOf(element == geometry ? geometry : element.parent) || nameOf(geometry);
+            var instance:MeshInstance = new MeshInstance(scene, _node, meshOf(geometry), element, name, function(symbol:String, materials:TriangleLabels):int
+                {
+                    return labelOf(element, symbol, materials);
+                });
+            scene.instances.push(instance);
+            return instance;
+        }
+
+        // The label of the material that an instance binds to a symbol. A symbol that is not bound counts as a material. -1 for no symbol.
+        private static function labelOf(instance:ColladaElement, symbol:String, materials:TriangleLabels):int
+        {
+            instance.budget.spendElements(1, instance);
+            if (symbol == "")
+            {
+                return -1;
+            }
+            var binding:ColladaElement = instance.child("bind_material");
+            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
+            var bound:ColladaElement = technique == null ? null : technique.child("instance_material", symbol);
+            // null if none is bound, or one that is not in this file
+            var material:ColladaElement = bound == null ? null : instance.elementAt("material", bound.attribute("target"));
+            // a symbol may be equal to another material's id
+            return material == null ? materials.labelWithKey("symbol " + symbol, symbol) : materials.labelWithKey("material " + material.id, nameOf(material));
+        }
+
+        private static function nameOf(element:ColladaElement):String
+        {
+            return element.attribute("name") || element.id || null;
+        }
+
+        // All geometries come first, so skins only have what these leave of the limits.
+        private function readingMeshes():Steps
+        {
+            var count:int = scene.instances.length;
             return new StepSequence().beginEach(count, function(index:int):Steps
                 {
                     _data.readProgress = index / count / 2;
-                    return _instances[index].mesh;
-                }).beginEach(count, function(index:int):Steps
-                {
-                    _data.readProgress = (1 + index / count) / 2;
-                    return _instances[index].adding(_data);
-                }).call(function():void
-                {
-                    _data.readProgress = 1;
-                    refuseModelIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
+                    return scene.instances[index].mesh;
                 });
         }
     }

@@ -13,7 +13,6 @@ package starlogo.models.collada
      */
     internal final class ColladaSkin extends StepSequence
     {
-        private static const POINTS_PER_STEP:int = 1000;
         private static const INFLUENCES_PER_STEP:int = 2000;
 
         // How far a number in the last row of an inverse matrix may be from 0 or 1. Programs invert matrices in 32 bits and write few digits.
@@ -25,6 +24,9 @@ package starlogo.models.collada
         /** What takes the points to where the skin was bound. */
         public var bindShape:AffineTransform;
 
+        /** What each point follows, when no step is left. Joint -1, which does not move, has the index after the last joint. */
+        public var influences:JointInfluences = new JointInfluences();
+
         private var _names:ColladaAccessor = null; // of the joints
 
         // what takes points from where the skin was bound into each joint
@@ -32,9 +34,6 @@ package starlogo.models.collada
 
         // lists of the joints' elements, by the index of an element that instantiates the skin
         private var _joints:Object = {};
-
-        // joint -1, which does not move, has the index after the last joint
-        private var _influences:JointInfluences;
 
         /** @param element the skin's element @throws ModelError if its bind shape matrix is wrong */
         public function ColladaSkin(element:ColladaElement)
@@ -51,34 +50,23 @@ package starlogo.models.collada
         /**
          * What moves points to the scene: by each joint, and last by joint -1. All must be read.
          *
-         * @param reader knows where joints are
+         * @param transformOf <code>function(joint:ColladaElement, node:int, skin:ColladaElement):AffineTransform</code>; returns the transform from a joint to
+         * the scene, for a skin at a node
          * @param node the node with the skin
          * @param instance the element that instantiates the skin, with its skeletons
          * @throws ModelError if there is no such joint
          */
-        public function jointMatricesOf(reader:ColladaReader, node:ColladaNode, instance:ColladaElement):Vector.<AffineTransform>
+        public function jointMatricesOf(transformOf:Function, node:int, instance:ColladaElement):Vector.<AffineTransform>
         {
             var joints:Vector.<ColladaElement> = _joints[instance.index] ||= jointsOf(instance);
             element.budget.spendNumbers(joints.length, element);
             var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
             for (var i:int = 0; i < joints.length; i++)
             {
-                jointMatrices.push(reader.jointTransform(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
+                jointMatrices.push(transformOf(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
             }
             jointMatrices.push(bindShape);
             return jointMatrices;
-        }
-
-        /** The steps that move points by joint matrices. */
-        public function moving(points:Vector.<Number>, jointMatrices:Vector.<AffineTransform>):Steps
-        {
-            var count:int = _influences.offsets.length - 1;
-            element.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
-            element.budget.spendNumbers(2 * _influences.joints.length, element);
-            return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
-                {
-                    element.refuseIf(!_influences.skinPoints(points, jointMatrices, first, end), "it moves points too far: their coordinates are not finite numbers");
-                });
         }
 
         private function readJoints(joints:ColladaElement):void
@@ -100,25 +88,20 @@ package starlogo.models.collada
         {
             var weighted:ColladaElement = element.requiredChild("vertex_weights");
             var weights:ColladaAccessor = ColladaAccessor.read(weighted, "WEIGHT", ["float_array"], element);
-            var stride:Number = 1;
-            for each (var input:ColladaElement in weighted.childrenNamed("input"))
-            {
-                stride = Math.max(stride, input.integer("offset", 0) + 1);
-            }
+            var stride:int = weighted.inputStride();
             var jointOffset:Number = weighted.requiredInput("JOINT").integer("offset", 0);
             var weightOffset:Number = weighted.child("input", "WEIGHT").integer("offset", 0);
             var indices:Array = weighted.child("v") == null ? [] : TextWords.of(weighted.child("v").countedText());
             weighted.refuseIf(indices.length % stride != 0, "expected " + stride + " indices for each joint of a point, but found " + indices.length + " in all");
             var influenceCount:int = indices.length / stride;
-            _influences = new JointInfluences();
             return new StepSequence().add(readingCounts(weighted, influenceCount)).slices(influenceCount, INFLUENCES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
                         var joint:int = weighted.toInteger(indices[i * stride + jointOffset], -1, _inverseBindMatrices.length - 1, "a joint's index");
                         var weight:int = weighted.toInteger(indices[i * stride + weightOffset], 0, weights.count - 1, "a weight's index");
-                        _influences.joints.push(joint < 0 ? _inverseBindMatrices.length : joint);
-                        _influences.weights.push(weights.array.toNumber(weights.words[weight * weights.stride]));
+                        influences.joints.push(joint < 0 ? _inverseBindMatrices.length : joint);
+                        influences.weights.push(weights.array.toNumber(weights.words[weight * weights.stride]));
                     }
                 });
         }
@@ -134,7 +117,7 @@ package starlogo.models.collada
                     for (var i:int = first; i < end; i++)
                     {
                         sum += weighted.toInteger(counts[i], 0, influenceCount, "the number of a point's joints");
-                        _influences.offsets.push(sum);
+                        influences.offsets.push(sum);
                     }
                 }).call(function():void
                 {

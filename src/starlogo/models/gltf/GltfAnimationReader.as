@@ -3,12 +3,10 @@ package starlogo.models.gltf
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.AnimationSampler;
     import starlogo.models.animation.FileAnimation;
-    import starlogo.models.animation.Pose;
-    import starlogo.models.building.FormatReader;
     import starlogo.steps.finish;
 
     /**
-     * Reads the animations of a glTF file. They move properties of nodes. <code>GltfScene.targetOf()</code> returns a property's target.
+     * Reads the animations of a glTF file. They move properties of nodes. <code>GltfReader.targetOf()</code> returns a property's target.
      *
      * @private
      */
@@ -27,15 +25,16 @@ package starlogo.models.gltf
         public static function allIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
         {
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
-            var newReader:Function = function(pose:Pose):FormatReader
-            {
-                file.budget.reset();
-                return new GltfReader(file, upAxis, null, pose);
-            };
+            var reader:GltfReader = new GltfReader(file, upAxis, null);
             for (var i:int = 0; i < file.json.count("animations"); i++)
             {
                 var animation:GltfJson = file.json.element("animations", i);
-                animations.push(new FileAnimation(animation.textOrNull("name") || "", channelsOf(file, animation), newReader));
+                animations.push(new FileAnimation(animation.textOrNull("name") || "", channelsOf(file, animation), reader.scene));
+            }
+            if (animations.length > 0)
+            {
+                file.budget.reset();
+                finish(reader);
             }
             return animations;
         }
@@ -55,7 +54,7 @@ package starlogo.models.gltf
                 {
                     target.refuseIf(file.json.rootEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                     var sampler:int = channel.requiredInteger("sampler", animation.count("samplers") - 1);
-                    channels.push(new AnimationChannel(samplerOf(file, animation.element("samplers", sampler), path), GltfScene.targetOf(node, path)));
+                    channels.push(new AnimationChannel(samplerOf(file, animation.element("samplers", sampler), path), GltfReader.targetOf(node, path)));
                 }
             }
             return channels;

@@ -54,9 +54,7 @@ package starlogo.models.gltf
         // The bytes of each buffer; null if it is missing. The binary chunk of a .glb file is in the first one's place from the beginning on.
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
 
-        // the accessors so far, by index, and the weights of skins, by the place of a primitive's attributes and the skin's index
-        private var _accessors:Array = [];
-        private var _skinWeights:Object = {};
+        private var _accessors:Array = []; // those so far, by index
 
         /**
          * @param file the file; the endianness of its bytes is set
@@ -115,18 +113,6 @@ package starlogo.models.gltf
             var found:GltfJson = json.rootEntry("accessors", index);
             found.refuseIf(found.raw.type !== type, "expected \"" + type + "\", but found " + GltfJson.shown(found.raw.type), "type");
             return _accessors[index] ||= GltfAccessor.of(this, found);
-        }
-
-        /**
-         * The weights of a primitive's vertices for the joints of a skin. They are the same for all nodes and poses that have both.
-         *
-         * @param attributes the attributes of the primitive
-         * @param vertexCount the number of its vertices
-         * @param skin the skin's index
-         */
-        internal function skinWeights(attributes:GltfJson, vertexCount:int, skin:int):GltfSkinWeights
-        {
-            return _skinWeights[attributes.place + " " + skin] ||= new GltfSkinWeights(this, attributes, vertexCount, json.rootEntry("skins", skin).count("joints"));
         }
 
         /**
@@ -272,7 +258,7 @@ package starlogo.models.gltf
                     uri = uri.substring(0, comma + 1) + unescape(uri.substring(comma + 1));
                 }
                 var bytes:ByteArray = new ByteArray();
-                work.add(Base64.decoding(budget.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
+                work.add(decodingBase64(budget.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
                     {
                         keep(index, bytes);
                     });

@@ -1,50 +1,50 @@
 package starlogo.models.gltf
 {
+    import starlogo.geometry.AffineTransform;
+    import starlogo.geometry.Placement;
     import starlogo.models.animation.Pose;
+    import starlogo.models.animation.normaliseQuaternion;
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.refuseModelIf;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.scene.MeshInstance;
+    import starlogo.models.scene.Scene;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
      * Reads a glTF file. GltfModel says which parts.
      *
-     * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. A GltfScene finds the nodes with meshes, and where they are. For each
-     * primitive of a mesh, GltfVertices add the vertices that its GltfAccessors say to the model, and the reader the triangles. The scene has the
-     * joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
+     * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. The reader makes the nodes of the Scene, and an instance of a GltfMesh at each
+     * node with a mesh. A GltfMesh has the numbers of GltfAccessors. Then the Scene adds the instances to the model.</p>
      *
      * @private
      */
     public final class GltfReader extends StepSequence implements FormatReader
     {
-        private static const TRIANGLES_PER_STEP:int = 5000;
+        private static const NODES_PER_STEP:int = 200;
 
-        // modes of primitives; those of points and lines are less
-        private static const TRIANGLES:int = 4;
-        private static const STRIP:int = 5;
-        private static const FAN:int = 6;
+        /** The scene, when no step is left. Read only. */
+        internal var scene:Scene;
 
         private var _data:ModelData;
         private var _file:GltfFile;
-        private var _scene:GltfScene;
+        private var _meshes:Object = {}; // by the indices of the mesh and of a skin
 
         /**
          * @param file the file; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param pose the pose, whose targets are what <code>GltfScene.targetOf()</code> returns; null at rest
          */
-        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, pose:Pose = null)
+        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String)
         {
             _data = ModelData.forFile(file.budget.modelName, upAxis, scaling, "y");
             _file = file;
-            add(file).begin(function():Steps
+            scene = new Scene(_data, file.budget);
+            add(file).begin(readingNodes).begin(visitingNodes).begin(function():Steps
                 {
-                    _scene = new GltfScene(file, pose);
-                    return _scene;
-                }).begin(readingNodes).call(endReading).add(removingUnusedVertices(_data.vertices, _data.triangles));
+                    return scene.adding(_data);
+                });
         }
 
         /** @inheritDoc */
@@ -53,104 +53,200 @@ package starlogo.models.gltf
             return _data;
         }
 
+        /** The target of an animation that moves a property of a node. @param path "translation", "rotation", "scale" or "weights" */
+        internal static function targetOf(node:int, path:String):String
+        {
+            return node + " " + path;
+        }
+
         private function readingNodes():Steps
         {
-            var json:GltfJson = _file.json;
-            for (var i:int = 0; i < json.count("materials"); i++)
+            var count:int = _file.json.count("nodes");
+            for (var i:int = 0; i < _file.json.count("materials"); i++)
             {
-                _data.materials.addLabel(json.rootEntry("materials", i).textOrNull("name"));
+                _data.materials.addLabel(_file.json.rootEntry("materials", i).textOrNull("name"));
             }
-            return new StepSequence().beginEach(_scene.nodes.length, readingNode);
+            return new StepSequence().slices(count, NODES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var node:int = first; node < end; node++)
+                    {
+                        scene.addNode(-1, placementOf(node));
+                    }
+                }).slices(count, NODES_PER_STEP, findParents);
         }
 
-        // The work on the mesh of one of the scene's nodes.
-        private function readingNode(index:int):Steps
+        private function findParents(first:int, end:int):void
         {
-            var nodeIndex:int = _scene.nodes[index];
-            var node:GltfJson = _file.json.rootEntry("nodes", nodeIndex);
-            var mesh:GltfJson = node.rootEntry("meshes", node.indexOrNone("mesh", "meshes"));
-            var name:String = node.textOrNull("name") || mesh.textOrNull("name");
-            // The vertices of this node so far, by what they depend on beside the node and its skin.
-            var placed:Object = {};
-            _data.readProgress = index / _scene.nodes.length;
-            // each primitive may have a target for each weight
-            _file.budget.spendElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
-            return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
+            for (var i:int = first; i < end; i++)
+            {
+                var node:GltfJson = _file.json.rootEntry("nodes", i);
+                var count:int = node.count("children");
+                for (var k:int = 0; k < count; k++)
                 {
-                    return readingPrimitive(nodeIndex, name, mesh.element("primitives", primitive), placed);
+                    var child:int = node.indexIn("children", k, "nodes");
+                    node.refuseIf(scene.parents[child] >= 0 || child == i, "nodes[" + child + "] contains itself or has two parents", "children[" + k + "]");
+                    scene.parents[child] = i;
+                }
+            }
+        }
+
+        // The function that places a node.
+        private function placementOf(node:int):Function
+        {
+            return function(around:AffineTransform, pose:Pose):AffineTransform
+            {
+                return around.after(localTransformOf(node, pose));
+            };
+        }
+
+        private function localTransformOf(index:int, pose:Pose):AffineTransform
+        {
+            var node:GltfJson = _file.json.rootEntry("nodes", index);
+            var m:Vector.<Number> = node.numbers("matrix", 16);
+            if (m != null)
+            {
+                node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
+                return ofColumns(m, 0);
+            }
+            var t:Vector.<Number> = posed(pose, index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = posed(pose, index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = posed(pose, index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            normaliseQuaternion(r);
+            var rotation:Placement = new Placement();
+            rotation.setQuaternion(r[0], r[1], r[2], r[3]);
+            return AffineTransform.of(rotation, s[0], s[1], s[2], t[0], t[1], t[2]);
+        }
+
+        // The numbers of a node's property in a pose; null if they are those in the file.
+        private static function posed(pose:Pose, node:int, path:String):Vector.<Number>
+        {
+            return pose == null ? null : pose.numbersOf(targetOf(node, path));
+        }
+
+        // The transform with 16 numbers, column by column. @param at the index of the first one
+        private static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
+        {
+            return new AffineTransform(new <Number>[
+                        m[at], m[at + 4], m[at + 8], m[at + 12],
+                        m[at + 1], m[at + 5], m[at + 9], m[at + 13],
+                        m[at + 2], m[at + 6], m[at + 10], m[at + 14]]);
+        }
+
+        // The steps that walk through the scene that the file shows.
+        private function visitingNodes():Steps
+        {
+            var pending:Vector.<int> = roots().reverse();
+            var isVisited:Vector.<Boolean> = new Vector.<Boolean>(scene.parents.length);
+            return new StepSequence().repeat(function():Boolean
+                {
+                    for (var i:int = 0; i < NODES_PER_STEP && pending.length > 0; i++)
+                    {
+                        var node:int = pending.pop();
+                        if (!isVisited[node])
+                        {
+                            isVisited[node] = true;
+                            visit(node, pending);
+                        }
+                    }
+                    return pending.length > 0;
                 });
         }
 
-        // The steps that read a primitive of a node's mesh: its vertices, where the node puts them, and its triangles, which all have one material.
-        // No steps if it has no vertices.
-        private function readingPrimitive(node:int, name:String, primitive:GltfJson, placed:Object):Steps
+        // The roots of the scene. If the file names none, those of all scenes. If there are no scenes, all nodes that are in no other node.
+        private function roots():Vector.<int>
+        {
+            var roots:Vector.<int> = new Vector.<int>();
+            var shown:int = _file.json.indexOrNone("scene", "scenes");
+            var sceneCount:int = _file.json.count("scenes");
+            for (var index:int = Math.max(shown, 0); index < (shown < 0 ? sceneCount : shown + 1); index++)
+            {
+                var sceneJson:GltfJson = _file.json.rootEntry("scenes", index);
+                for (var i:int = 0; i < sceneJson.count("nodes"); i++)
+                {
+                    roots.push(sceneJson.indexIn("nodes", i, "nodes"));
+                }
+            }
+            for (i = 0; i < scene.parents.length && sceneCount == 0; i++)
+            {
+                if (scene.parents[i] < 0)
+                {
+                    roots.push(i);
+                }
+            }
+            return roots;
+        }
+
+        // Adds the instance of a node's mesh, if it has one. Its children are visited next.
+        private function visit(index:int, pending:Vector.<int>):void
+        {
+            var node:GltfJson = _file.json.rootEntry("nodes", index);
+            if (node.has("mesh"))
+            {
+                addInstance(index, node);
+            }
+            for (var k:int = node.count("children") - 1; k >= 0; k--)
+            {
+                pending.push(node.indexIn("children", k, "nodes"));
+            }
+        }
+
+        private function addInstance(index:int, node:GltfJson):void
+        {
+            var meshIndex:int = node.indexOrNone("mesh", "meshes");
+            var json:GltfJson = node.rootEntry("meshes", meshIndex);
+            var skinIndex:int = node.indexOrNone("skin", "skins");
+            var skin:GltfJson = skinIndex < 0 ? null : node.rootEntry("skins", skinIndex);
+            // each primitive may have a target for each weight
+            _file.budget.spendElements((1 + weightsOf(index, node, json).length) * (1 + json.count("primitives")), json.place);
+            var mesh:GltfMesh = _meshes[meshIndex + " " + skinIndex] ||= new GltfMesh(_file, json, skin);
+            var instance:MeshInstance = new MeshInstance(scene, index, mesh.mesh, node.place, node.textOrNull("name") || json.textOrNull("name"), labelOf);
+            instance.deforming = !mesh.isDeformed ? null : function(points:Vector.<Number>):Steps
+            {
+                return new StepSequence().add(mesh.morphing(instance, points, weightsOf(index, node, json))).begin(function():Steps
+                    {
+                        return mesh.hasJoints ? skinning(instance, points, mesh, skin, index) : null;
+                    });
+            };
+            scene.instances.push(instance);
+        }
+
+        // The label of a material is its number in the file.
+        private static function labelOf(material:String, materials:TriangleLabels):int
+        {
+            return int(material);
+        }
+
+        // The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh.
+        private function weightsOf(index:int, node:GltfJson, mesh:GltfJson):Vector.<Number>
+        {
+            return posed(scene.pose, index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
+        }
+
+        // The steps that move points by a skin. After its joints there is the node itself, which vertices without joints follow.
+        private function skinning(instance:MeshInstance, points:Vector.<Number>, mesh:GltfMesh, skin:GltfJson, node:int):Steps
         {
             var work:StepSequence = new StepSequence();
-            primitive.refuseIf(primitive.hasExtension(GltfFile.DRACO), "it is " + GltfFile.DRACO_PROBLEM);
-            var attributes:GltfJson = primitive.object("attributes");
-            var position:int = attributes == null ? -1 : attributes.indexOrNone("POSITION", "accessors");
-            if (position < 0)
+            var jointCount:int = skin.count("joints");
+            skin.refuseIf(jointCount == 0, "expected at least one joint", "joints");
+            var index:int = skin.indexOrNone("inverseBindMatrices", "accessors");
+            var inverses:GltfAccessor = index < 0 ? null : _file.accessor(index, "MAT4");
+            if (inverses != null)
             {
-                return work;
+                inverses.json.refuseIf(inverses.count < jointCount, "there are " + jointCount + " joints, but fewer matrices");
+                work.add(inverses);
             }
-            // primitives may share their vertices and have different triangles
-            var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
-            var key:String = position + (isPlain ? "" : primitive.place);
-            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, _data.vertices);
-            work.add(points);
-            var mode:int = primitive.integer("mode", FAN, TRIANGLES);
-            if (mode >= TRIANGLES)
-            {
-                _data.meshes.beginRun(_data.meshes.labelWithKey(String(node), name), _data.triangles.length / 3);
-                _data.materials.beginRun(primitive.indexOrNone("material", "materials"), _data.triangles.length / 3);
-                addTriangles(work, mode, primitive, points);
-            }
-            return work;
-        }
-
-        // Adds the steps that read a primitive's triangles, after those of its vertices. Triangle n of a list has the corners 3n, 3n+1 and 3n+2.
-        // Triangle n of a fan has the corners n+1, n+2 and 0. In a strip, every second triangle has its corner order reversed.
-        private function addTriangles(work:StepSequence, mode:int, primitive:GltfJson, vertices:GltfVertices):void
-        {
-            var index:int = primitive.indexOrNone("indices", "accessors");
-            var indices:GltfAccessor = index < 0 ? null : _file.accessor(index, "SCALAR");
-            if (indices != null)
-            {
-                indices.json.refuseIf(!indices.areIndices, "indices must be 5121, 5123 or 5125, and not normalized", "componentType");
-                work.add(indices);
-            }
-            var cornerCount:int = indices == null ? vertices.count : indices.count;
-            var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            _file.budget.checkMeshSize(0, _data.triangles.length / 3 + triangleCount, primitive.place);
-            work.slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+            _file.budget.spendNumbers(jointCount, skin.place);
+            return work.begin(function():Steps
                 {
-                    var isMirror:Boolean = vertices.isMirror;
-                    for (var i:int = first; i < end; i++)
+                    var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+                    for (var i:int = 0; i < jointCount; i++)
                     {
-                        var a:int = mode == TRIANGLES ? 3 * i : (mode == FAN ? i + 1 : i);
-                        var b:int = a + 1;
-                        var c:int = mode == FAN ? 0 : a + 2;
-                        var isReversed:Boolean = isMirror != (mode == STRIP && (i & 1) == 1);
-                        _data.triangles.push(vertexAt(a, indices, vertices, primitive), vertexAt(isReversed ? c : b, indices, vertices, primitive),
-                                vertexAt(isReversed ? b : c, indices, vertices, primitive));
+                        var joint:AffineTransform = scene.transformOf(skin.indexIn("joints", i, "nodes"));
+                        jointMatrices.push(inverses == null ? joint : joint.after(ofColumns(inverses.numbers, 16 * i)));
                     }
+                    jointMatrices.push(scene.transformOf(node));
+                    return instance.skinning(points, mesh.influences, jointMatrices, skin.place);
                 });
-        }
-
-        private static function vertexAt(corner:int, indices:GltfAccessor, vertices:GltfVertices, primitive:GltfJson):uint
-        {
-            var index:Number = indices == null ? corner : indices.numbers[corner];
-            if (index >= vertices.count)
-            {
-                throw indices.json.error("element " + corner + " names vertex " + index + ": " + primitive.place + " has " + vertices.count);
-            }
-            return vertices.firstVertex + int(index);
-        }
-
-        private function endReading():void
-        {
-            _data.readProgress = 1;
-            refuseModelIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
         }
     }
 }

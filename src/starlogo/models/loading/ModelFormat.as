@@ -4,7 +4,6 @@ package starlogo.models.loading
     import starlogo.models.ModelTransform;
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
@@ -21,12 +20,6 @@ package starlogo.models.loading
      */
     public final class ModelFormat
     {
-        private static const COOKED:String = "cooked";
-        private static const OBJ:String = "obj";
-        private static const COLLADA:String = "dae";
-        private static const GLTF:String = "gltf";
-        private static const STL:String = "stl";
-
         private static const VERTEX_SEARCH_LENGTH:int = 10000;
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
@@ -43,25 +36,27 @@ package starlogo.models.loading
         {
             var transform:ModelTransform = upAxis as ModelTransform;
             ModelData.requireUpAxis(file.name, upAxis);
+            if (file.bytes != null && CookedFile.isCookedFile(file.bytes))
+            {
+                return new CookedReader(file.name, file.bytes);
+            }
             switch ((file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file))
             {
-                case COOKED:
-                    return new CookedReader(file.name, file.bytes);
-                case STL:
+                case "stl":
                     return new StlReader(file, upAxis, scaling);
-                case COLLADA:
-                    return new ColladaReader(new ColladaDocument(file), transform, scaling);
-                case GLTF:
+                case "dae":
+                    return new ColladaReader(file, transform, scaling);
+                case "gltf":
                     return new GltfReader(new GltfFile(file, fetch), transform, scaling);
                 default:
                     return new ObjReader(file, upAxis, scaling);
             }
         }
 
-        // The format of a file in a binary form; null if the bytes are in none.
+        // The format of a file in a binary form, as its extension is; null if the bytes are in none.
         private static function ofBytes(bytes:ByteArray):String
         {
-            return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
+            return GltfFile.isBinary(bytes) ? "gltf" : (StlReader.isBinary(bytes) ? "stl" : null);
         }
 
         private static function ofText(file:ModelFile):String
@@ -69,18 +64,14 @@ package starlogo.models.loading
             var text:String = file.requireText();
             if (file.beginsWithTag)
             {
-                return COLLADA;
+                return "dae";
             }
-            if (GltfFile.isText(text))
+            if (GltfFile.isText(text) || StlReader.isText(text))
             {
-                return GLTF;
-            }
-            if (StlReader.isText(text))
-            {
-                return STL;
+                return GltfFile.isText(text) ? "gltf" : "stl";
             }
             var named:Array = file.url == null || VERTEX.test("\n" + text.substr(0, VERTEX_SEARCH_LENGTH)) ? null : file.url.match(EXTENSION);
-            return named == null ? OBJ : named[1].toLowerCase();
+            return named == null ? "obj" : named[1].toLowerCase();
         }
     }
 }

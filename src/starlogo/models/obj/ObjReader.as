@@ -5,7 +5,6 @@ package starlogo.models.obj
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
@@ -24,7 +23,6 @@ package starlogo.models.obj
     {
         private var _data:ModelData;
         private var _lines:LineReader;
-        private var _budget:FileBudget;
 
         // The faces of more than three corners are kept until all vertices are known: the corners, and two labels of each face, of its material and of
         // its mesh. Then the most triangles that they can have.
@@ -43,22 +41,14 @@ package starlogo.models.obj
             _data = ModelData.forFile(file.name, upAxis, scaling);
             refuseModelIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
             refuseModelIf(file.beginsWithTag, file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
-            _lines = new LineReader(file.name, text);
-            _budget = new FileBudget(file.name, text.length);
-            repeat(readSome).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));
+            _lines = new LineReader(_data, text, readStatement);
+            add(_lines).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
         /** @inheritDoc */
         public function get data():ModelData
         {
             return _data;
-        }
-
-        private function readSome():Boolean
-        {
-            _data.readProgress = _lines.readStatements(readStatement);
-            _budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
-            return _lines.hasMore;
         }
 
         private function readStatement(words:Array):void
@@ -105,6 +95,7 @@ package starlogo.models.obj
                 _polygons.push(corners);
                 _polygonLabels.push(_data.materials.current, _data.meshes.current);
                 _polygonTriangles += corners.length - 2;
+                _lines.budget.checkMeshSize(0, _data.triangles.length / 3 + _polygonTriangles, _lines);
             }
         }
 
@@ -116,13 +107,13 @@ package starlogo.models.obj
             var index:int = int(value);
             if (index != value || index == 0)
             {
-                throw new ModelError(_data.name, _lines.place, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
+                throw new ModelError(_data.name, String(_lines), "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
                         shortened(word) + "\"");
             }
             index = index > 0 ? index - 1 : _data.vertices.length / 3 + index;
             if (index < 0)
             {
-                throw new ModelError(_data.name, _lines.place, "the corner \"" + shortened(word) +
+                throw new ModelError(_data.name, String(_lines), "the corner \"" + shortened(word) +
                         "\" counts back beyond the first vertex: there are " + _data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
@@ -143,7 +134,7 @@ package starlogo.models.obj
         // The steps that triangulate all polygons.
         private function triangulating():Steps
         {
-            var triangulator:Triangulator = new Triangulator(_budget, _data.vertices, _data.triangles);
+            var triangulator:Triangulator = new Triangulator(_lines.budget, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
                     _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);

@@ -26,7 +26,6 @@ package starlogo.models.stl
         private static const FACETS_PER_STEP:int = 300;
 
         private var _data:ModelData;
-        private var _budget:FileBudget;
         private var _points:PointTable;
 
         // of a text file; null for a binary one
@@ -63,25 +62,24 @@ package starlogo.models.stl
 
         private function addText(text:String):void
         {
-            _budget = new FileBudget(_data.name, text.length);
             _points = new PointTable(Math.min(text.length / 20, FileBudget.MAX_VERTICES));
-            _lines = new LineReader(_data.name, text);
-            repeat(readSome);
+            _lines = new LineReader(_data, text, readStatement);
+            add(_lines);
         }
 
         private function addBinary(file:ModelFile):void
         {
             var bytes:ByteArray = file.bytes;
             file.checkSize();
-            _budget = new FileBudget(_data.name, bytes.length);
+            var budget:FileBudget = new FileBudget(_data.name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
-            _budget.checkMeshSize(0, count);
+            budget.checkMeshSize(0, count);
             _points = new PointTable(Math.min(3 * count, FileBudget.MAX_VERTICES));
             slices(count, FACETS_PER_STEP, function(first:int, end:int):void
                 {
                     readFacets(bytes, first, end);
-                    _budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
+                    budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
                     _data.readProgress = end / Math.max(1, count);
                 });
         }
@@ -129,13 +127,6 @@ package starlogo.models.stl
             }
         }
 
-        private function readSome():Boolean
-        {
-            _data.readProgress = _lines.readStatements(readStatement);
-            _budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
-            return _lines.hasMore;
-        }
-
         // Reads a line, which may have several statements.
         private function readStatement(words:Array):void
         {
@@ -153,14 +144,14 @@ package starlogo.models.stl
                     case "endloop":
                         if (_corners != 3)
                         {
-                            throw new ModelError(_data.name, _lines.place, "expected a facet of three vertices, but found " + _corners);
+                            throw new ModelError(_data.name, String(_lines), "expected a facet of three vertices, but found " + _corners);
                         }
                         _corners = 0;
                         break;
                     case "outer":
                         if (_corners != 0)
                         {
-                            throw new ModelError(_data.name, _lines.place, "a loop begins before the last one has ended");
+                            throw new ModelError(_data.name, String(_lines), "a loop begins before the last one has ended");
                         }
                 }
             }
@@ -171,7 +162,7 @@ package starlogo.models.stl
             var point:Vector.<Number> = new Vector.<Number>(3, true);
             if (_corners == 3)
             {
-                throw new ModelError(_data.name, _lines.place, "a facet has more than three vertices");
+                throw new ModelError(_data.name, String(_lines), "a facet has more than three vertices");
             }
             _lines.readPoint(words, first, point, 0);
             _data.triangles.push(_points.add(point[0], point[1], point[2]));
@@ -180,7 +171,7 @@ package starlogo.models.stl
 
         private function checkEnd():void
         {
-            refuseModelIf(_corners != 0, _data.name, "the file is cut off: a facet has no end", _lines == null ? "" : _lines.place);
+            refuseModelIf(_corners != 0, _data.name, "the file is cut off: a facet has no end", _lines || "");
             refuseModelIf(_data.vertices.length == 0, _data.name, "no vertices: expected facets");
         }
     }

@@ -1,14 +1,18 @@
 package starlogo.models.text
 {
     import starlogo.models.ModelError;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.shortened;
+    import starlogo.steps.Steps;
 
     /**
-     * Reads the statements of a text file, such as an OBJ file, one line each, as lists of words. It reads some in each step, without comments.
+     * Reads the statements of a text file, such as an OBJ file, one line each, as lists of words without comments. A step reads some, or splits the next
+     * chunk of the text into lines, and checks the size of the model so far.
      *
      * @private
      */
-    public final class LineReader
+    public final class LineReader implements Steps
     {
         // The most characters of a statement: a line with its continuation lines. It is read in one step.
         private static const MAX_STATEMENT:int = 1000000;
@@ -22,8 +26,12 @@ package starlogo.models.text
         /** The number of the line where the present statement begins, from 1. Read only. */
         public var line:int = 1;
 
-        private var _name:String;
+        /** What the file may have and cost. Read only. */
+        public var budget:FileBudget;
+
+        private var _data:ModelData;
         private var _text:String;
+        private var _read:Function;
 
         // The lines of the present chunk that are not read yet, the last one first; and where it ends in the text.
         private var _lines:Array = [];
@@ -32,13 +40,16 @@ package starlogo.models.text
         private var _lineCount:int = 0; // before the next line
 
         /**
-         * @param name the model's name, for errors
+         * @param data takes what is read
          * @param text the text, without a byte-order mark
+         * @param read <code>function(words:Array):void</code>; gets the words of a statement, at least one
          */
-        public function LineReader(name:String, text:String)
+        public function LineReader(data:ModelData, text:String, read:Function)
         {
-            _name = name;
+            _data = data;
             _text = text;
+            _read = read;
+            budget = new FileBudget(data.name, text.length);
         }
 
         /** The place of a line, for errors. */
@@ -48,24 +59,13 @@ package starlogo.models.text
         }
 
         /** The place of the present statement, for errors. */
-        public function get place():String
+        public function toString():String
         {
             return placeOf(line);
         }
 
-        /** Whether there is more to read. */
-        public function get hasMore():Boolean
-        {
-            return _lines.length > 0 || _end < _text.length;
-        }
-
-        /**
-         * Does a step: reads some statements, or none if the next chunk of the text must be split into lines first.
-         *
-         * @param read <code>function(words:Array):void</code>; gets the words of a statement, at least one
-         * @return the share of the text that is split into lines, from 0 to 1
-         */
-        public function readStatements(read:Function):Number
+        /** @inheritDoc @throws ModelError if a statement is wrong or too long, or the model has too many vertices or triangles */
+        public function step():Boolean
         {
             if (_lines.length == 0)
             {
@@ -78,11 +78,18 @@ package starlogo.models.text
                     var words:Array = nextStatement();
                     if (words.length > 0)
                     {
-                        read(words);
+                        _read(words);
                     }
                 }
             }
-            return _end / Math.max(1, _text.length);
+            _data.readProgress = _end / Math.max(1, _text.length);
+            budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3, this);
+            return hasMore;
+        }
+
+        private function get hasMore():Boolean
+        {
+            return _lines.length > 0 || _end < _text.length;
         }
 
         /**
@@ -101,7 +108,7 @@ package starlogo.models.text
                 var number:Number = TextWords.toNumber(words[int(first + i)] || "");
                 if (!isFinite(number))
                 {
-                    throw new ModelError(_name, place, "expected a vertex, three finite numbers, but found \"" + shortened(words.slice(first - 1).join(" ")) + "\"");
+                    throw new ModelError(_data.name, String(this), "expected a vertex, three finite numbers, but found \"" + shortened(words.slice(first - 1).join(" ")) + "\"");
                 }
                 out[int(at + i)] = number;
             }
@@ -124,7 +131,7 @@ package starlogo.models.text
                 length += 1 + next.length;
                 if (length > MAX_STATEMENT)
                 {
-                    throw new ModelError(_name, place, "a line and its continuation lines have more than " + MAX_STATEMENT + " characters");
+                    throw new ModelError(_data.name, String(this), "a line and its continuation lines have more than " + MAX_STATEMENT + " characters");
                 }
                 next = TextWords.singleSpaced(next);
                 if (next.indexOf("#") >= 0)

@@ -8,7 +8,7 @@ package starlogo.models.gltf
     import support.assertThrows;
 
     /** Bytes as text of base64. */
-    public class Base64Test
+    public class DecodingBase64Test
     {
         private static const DIGITS:String = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -58,7 +58,7 @@ package starlogo.models.gltf
         private static function decoded(text:String):ByteArray
         {
             var bytes:ByteArray = new ByteArray();
-            finish(Base64.decoding("model", text, 0, "buffer 0", bytes));
+            finish(decodingBase64("model", text, 0, "buffer 0", bytes));
             return bytes;
         }
 

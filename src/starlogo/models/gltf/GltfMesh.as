@@ -1,0 +1,232 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.animation.JointInfluences;
+    import starlogo.models.scene.MeshInstance;
+    import starlogo.models.scene.SceneMesh;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /**
+     * Reads a mesh of a glTF file, and what its vertices follow: the joints of a skin, and morph targets. All nodes that have both the mesh and the skin
+     * share it.
+     */
+    internal final class GltfMesh
+    {
+        private static const VERTICES_PER_STEP:int = 2000;
+        private static const TRIANGLES_PER_STEP:int = 5000;
+
+        // modes of primitives; those of points and lines are less
+        private static const TRIANGLES:int = 4;
+        private static const STRIP:int = 5;
+        private static const FAN:int = 6;
+
+        /** The mesh. Its steps read it, and the influences of its joints. */
+        public var mesh:SceneMesh = new SceneMesh();
+
+        /** What each vertex follows: joints of the skin, or the node itself, which has the index after the last joint. Null without a skin. */
+        public var influences:JointInfluences;
+
+        /** Whether vertices are moved by a skin or by morph targets. */
+        public var isDeformed:Boolean;
+
+        /** Whether a vertex follows a joint of the skin. */
+        public var hasJoints:Boolean = false;
+
+        private var _file:GltfFile;
+        private var _jointCount:int;
+
+        private var _morphed:Vector.<GltfJson> = new Vector.<GltfJson>(); // the primitives with morph targets
+        private var _firsts:Object = {}; // the first vertex of what primitives share, by the index of its positions, and the place of one that shares nothing
+
+        /**
+         * @param file the file; all its steps must be done
+         * @param json the mesh
+         * @param skin null for none
+         */
+        public function GltfMesh(file:GltfFile, json:GltfJson, skin:GltfJson)
+        {
+            _file = file;
+            _jointCount = skin == null ? 0 : skin.count("joints");
+            influences = skin == null ? null : new JointInfluences();
+            isDeformed = skin != null;
+            for (var i:int = 0; i < json.count("primitives") && !isDeformed; i++)
+            {
+                isDeformed = json.element("primitives", i).has("targets");
+            }
+            mesh.beginEach(json.count("primitives"), function(index:int):Steps
+                {
+                    return readingPrimitive(json.element("primitives", index));
+                });
+        }
+
+        /**
+         * The steps that move points by the morph targets.
+         *
+         * @param instance has the mesh
+         * @param points all points of the instance
+         * @param weights of the targets
+         */
+        public function morphing(instance:MeshInstance, points:Vector.<Number>, weights:Vector.<Number>):Steps
+        {
+            return new StepSequence().beginEach(_morphed.length, function(index:int):Steps
+                {
+                    var primitive:GltfJson = _morphed[index];
+                    var rest:int = primitive.object("attributes").indexOrNone("POSITION", "accessors");
+                    return new StepSequence().beginEach(Math.min(primitive.count("targets"), weights.length), function(target:int):Steps
+                        {
+                            var position:int = primitive.element("targets", target).indexOrNone("POSITION", "accessors");
+                            if (position < 0 || weights[target] == 0)
+                            {
+                                return new StepSequence();
+                            }
+                            var ways:GltfAccessor = _file.accessor(position, "VEC3");
+                            ways.requireCount(_file.accessor(rest, "VEC3").count);
+                            return new StepSequence().add(ways).begin(function():Steps
+                                {
+                                    return instance.morphing(points, _firsts[rest + primitive.place], weights[target], ways.numbers, null);
+                                });
+                        });
+                });
+        }
+
+        // The steps that read a primitive: its vertices, and its triangles, which all have one material. No steps if it has no vertices.
+        private function readingPrimitive(primitive:GltfJson):Steps
+        {
+            var work:StepSequence = new StepSequence();
+            primitive.refuseIf(primitive.hasExtension(GltfFile.DRACO), "it is " + GltfFile.DRACO_PROBLEM);
+            var attributes:GltfJson = primitive.object("attributes");
+            var position:int = attributes == null ? -1 : attributes.indexOrNone("POSITION", "accessors");
+            if (position < 0)
+            {
+                return work;
+            }
+            var positions:GltfAccessor = _file.accessor(position, "VEC3");
+            // primitives may share their vertices and have different triangles
+            var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
+            var key:String = position + (isPlain ? "" : primitive.place);
+            if (!(key in _firsts))
+            {
+                _firsts[key] = mesh.points.length / 3;
+                addVertices(work, primitive, attributes, positions);
+            }
+            var mode:int = primitive.integer("mode", FAN, TRIANGLES);
+            if (mode >= TRIANGLES)
+            {
+                mesh.beginPrimitive(String(primitive.indexOrNone("material", "materials")));
+                addTriangles(work, mode, primitive, _firsts[key], positions.count);
+            }
+            return work;
+        }
+
+        private function addVertices(work:StepSequence, primitive:GltfJson, attributes:GltfJson, positions:GltfAccessor):void
+        {
+            _file.budget.checkMeshSize(mesh.points.length / 3 + positions.count, 0, primitive.place);
+            work.add(positions).call(function():void
+                {
+                    mesh.addPoints(positions.numbers);
+                });
+            if (primitive.count("targets") > 0)
+            {
+                _morphed.push(primitive);
+            }
+            if (influences != null)
+            {
+                addInfluences(work, attributes, positions.count);
+            }
+        }
+
+        // Adds the steps that read what vertices follow. Each set of joints has four numbers for a vertex, and so has the set of their weights.
+        private function addInfluences(work:StepSequence, attributes:GltfJson, vertexCount:int):void
+        {
+            var joints:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
+            var weights:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
+            for (var i:int = 0; attributes.has("JOINTS_" + i); i++)
+            {
+                hasJoints = true;
+                joints.push(ofVertices(work, attributes, "JOINTS_" + i, vertexCount));
+                weights.push(ofVertices(work, attributes, "WEIGHTS_" + i, vertexCount));
+            }
+            // sets may have the same accessors
+            _file.budget.spendNumbers(4 * Number(vertexCount) * i, attributes.place);
+            work.slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var vertex:int = first; vertex < end; vertex++)
+                    {
+                        for (var setIndex:int = 0; setIndex < joints.length; setIndex++)
+                        {
+                            readSet(joints[setIndex], weights[setIndex], vertex);
+                        }
+                        if (joints.length == 0)
+                        {
+                            influences.joints.push(_jointCount);
+                            influences.weights.push(1);
+                        }
+                        influences.offsets.push(influences.joints.length);
+                    }
+                });
+        }
+
+        private function ofVertices(work:StepSequence, attributes:GltfJson, key:String, vertexCount:int):GltfAccessor
+        {
+            var index:int = attributes.indexOrNone(key, "accessors");
+            attributes.refuseIf(index < 0, "a mesh has no weights for its joints");
+            var found:GltfAccessor = _file.accessor(index, "VEC4");
+            found.requireCount(vertexCount);
+            work.add(found);
+            return found;
+        }
+
+        // Reads the influences of a vertex in a set. A weight of 0 is none, whatever its joint is.
+        private function readSet(joints:GltfAccessor, weights:GltfAccessor, vertex:int):void
+        {
+            for (var at:int = 4 * vertex; at < 4 * vertex + 4; at++)
+            {
+                var joint:Number = joints.numbers[at];
+                if (weights.numbers[at] == 0)
+                {
+                    continue;
+                }
+                if (!(joint >= 0 && joint < _jointCount && int(joint) == joint))
+                {
+                    throw joints.json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + _jointCount);
+                }
+                influences.joints.push(joint);
+                influences.weights.push(weights.numbers[at]);
+            }
+        }
+
+        // Adds the steps that read a primitive's triangles. Triangle n of a list has the corners 3n, 3n+1 and 3n+2.
+        private function addTriangles(work:StepSequence, mode:int, primitive:GltfJson, firstVertex:int, vertexCount:int):void
+        {
+            var index:int = primitive.indexOrNone("indices", "accessors");
+            var indices:GltfAccessor = index < 0 ? null : _file.accessor(index, "SCALAR");
+            if (indices != null)
+            {
+                indices.json.refuseIf(!indices.areIndices, "indices must be 5121, 5123 or 5125, and not normalized", "componentType");
+                work.add(indices);
+            }
+            var cornerCount:int = indices == null ? vertexCount : indices.count;
+            var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
+            _file.budget.checkMeshSize(0, mesh.triangles.length / 3 + triangleCount, primitive.place);
+            work.slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = 3 * first; i < 3 * end; i++)
+                    {
+                        var corner:int = mode == TRIANGLES ? i : cornerOf(int(i / 3), i % 3, mode == FAN);
+                        var vertex:Number = indices == null ? corner : indices.numbers[corner];
+                        if (vertex >= vertexCount)
+                        {
+                            throw indices.json.error("element " + corner + " names vertex " + vertex + ": " + primitive.place + " has " + vertexCount);
+                        }
+                        mesh.triangles.push(firstVertex + int(vertex));
+                    }
+                });
+        }
+
+        // The index of a corner of triangle n. That of a fan has the corners n+1, n+2 and 0. In a strip it has n, n+1 and n+2; every second one is reversed.
+        private static function cornerOf(triangle:int, corner:int, isFan:Boolean):int
+        {
+            return isFan ? (corner == 2 ? 0 : triangle + corner + 1) : triangle + (corner == 0 || (triangle & 1) == 0 ? corner : 3 - corner);
+        }
+    }
+}

@@ -25,17 +25,17 @@ package starlogo.ground
         private var _next:int = 0;
         private var _end:int = 0;
 
-        // How the box passes over the cell within the limits that the search had when it came to the cell. Triangles above and below it are left out.
+        // How the box passes over the cell. Triangles above and below it are left out.
         private var _passage:SquarePassage;
 
-        // How the box passes over the cell until the latest time at the beginning of the GroundTriangles' search. Tall walls are cut above and below it, so
-        // no corner depends on what the latest time has become since.
-        private var _longestPassage:SquarePassage = new SquarePassage();
-
-        /** @param path of the boxes over the ground */
-        public function CellTriangles(path:BoxPath)
+        /**
+         * @param path of the boxes over the ground
+         * @param passage how the box passes over the current cell
+         */
+        public function CellTriangles(path:BoxPath, passage:SquarePassage)
         {
             _path = path;
+            _passage = passage;
         }
 
         /** Ends: there is no next triangle. */
@@ -44,12 +44,8 @@ package starlogo.ground
             _next = _end = 0;
         }
 
-        /**
-         * Begins with a cell.
-         *
-         * @param passage how the box passes over the cell; kept until the next cell
-         */
-        public function begin(column:int, row:int, passage:SquarePassage):void
+        /** Begins with a cell. */
+        public function begin(column:int, row:int):void
         {
             var grid:HeightGrid = _path.search.grid;
             var at:int = row * grid.columns + column;
@@ -61,7 +57,6 @@ package starlogo.ground
             }
             _column = column;
             _row = row;
-            _passage = passage;
             readTops(at);
             var tops:Vector.<Number> = _tops;
             // comparisons take the player less time than Math.min() and Math.max()
@@ -72,14 +67,9 @@ package starlogo.ground
             high = high > tops[8] ? high : tops[8];
             high = high > tops[11] ? high : tops[11];
             var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
-            if (passage.minHeight <= high && (hasWalls || passage.maxHeight >= low))
+            if (_passage.minHeight <= high && (hasWalls || _passage.maxHeight >= low))
             {
-                _end = TOPS_END;
-                if (hasWalls)
-                {
-                    _path.findLongestPassage(column, row, _longestPassage);
-                    _end = WALLS_END;
-                }
+                _end = hasWalls ? WALLS_END : TOPS_END;
             }
         }
 
@@ -163,11 +153,11 @@ package starlogo.ground
             var width:Number = grid.cellWidth;
             if (floor == -Infinity)
             {
-                low = Math.max(low, Math.min(_longestPassage.minHeight, Math.min(top, endTop)) - width);
+                low = Math.max(low, Math.min(_path.lowest, Math.min(top, endTop)) - width);
             }
-            if (Math.min(top, endTop) > _longestPassage.maxHeight + width)
+            if (Math.min(top, endTop) > _path.highest + width)
             {
-                top = endTop = _longestPassage.maxHeight + width;
+                top = endTop = _path.highest + width;
             }
             copyTops(side, end, isUpper ? side : end, corners);
             corners[2] = low;

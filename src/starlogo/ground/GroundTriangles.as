@@ -22,7 +22,7 @@ package starlogo.ground
         // Of the current square: how the box passes over it, its heights, and if it is a cell, its triangles.
         private var _passage:SquarePassage = new SquarePassage();
         private var _heights:HeightBounds = new HeightBounds();
-        private var _cell:CellTriangles = new CellTriangles(_path);
+        private var _cell:CellTriangles = new CellTriangles(_path, _passage);
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
@@ -43,7 +43,7 @@ package starlogo.ground
         internal function begin(search:GroundSearch):void
         {
             reset(search);
-            addSquares(_path.firstLevel(), 0, 0, int.MAX_VALUE, int.MAX_VALUE);
+            addSquares(_path.firstLevel, 0, 0, int.MAX_VALUE, int.MAX_VALUE);
         }
 
         private function reset(search:GroundSearch):void
@@ -63,7 +63,7 @@ package starlogo.ground
         /** Whether the search, which has just begun, begins with cells and not with larger squares, because its box comes to few cells. */
         internal function beginsAtCells():Boolean
         {
-            return _path.firstLevel() == 0;
+            return _path.firstLevel == 0;
         }
 
         /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */
@@ -148,7 +148,7 @@ package starlogo.ground
             }
             if (level == 0)
             {
-                _cell.begin(column, row, _passage);
+                _cell.begin(column, row);
                 return;
             }
             readHeights(level, column, row);

@@ -153,20 +153,23 @@ package starlogo.ground
             var begin:int = _end;
             var end:int = _end;
             var isNear:Boolean = nextNearBox();
+            if (!isNear)
+            {
+                return false;
+            }
+            // without a list, the pieces inside of it search themselves
             if (!isSearched || _source.beginsAtCells())
             {
-                for (var goesOn:Boolean = isNear; goesOn; goesOn = nextNearBox())
+                do
                 {
                     _lists[end] = triangle;
                     end++;
-                    _listedCount += int(isSearched);
+                    _listedCount = isSearched ? end : _listedCount;
                 }
+                while (nextNearBox());
             }
-            if (isNear)
-            {
-                pieces.divide(begin, end);
-            }
-            return isNear;
+            pieces.divide(begin, end);
+            return true;
         }
 
         // Goes on to the next triangle near the box: in the list, or if there is none, in the search.
@@ -181,11 +184,11 @@ package starlogo.ground
                     return true;
                 }
             }
-            return _end == 0 && findNearBox();
+            return _end == 0 && findOneMore();
         }
 
-        // Finds the next triangle near the box.
-        private function findNearBox():Boolean
+        // Finds the next triangle of the search: those that it finds are near the box, but an inner node may be all in front of one.
+        private function findOneMore():Boolean
         {
             if (_listedCount == _found.length)
             {
@@ -195,7 +198,7 @@ package starlogo.ground
             while (_source.next(triangle))
             {
                 triangle.prepare(_source);
-                if (isNearBox())
+                if (pieces.kind != ModelPieces.INNER_NODE || isNearBox())
                 {
                     return true;
                 }
@@ -203,7 +206,8 @@ package starlogo.ground
             return false;
         }
 
-        // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane.
+        // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane. A triangle of the
+        // model may be wholly below the box of the triangle that it is deepest behind, so for it only the plane counts.
         private function isNearBox():Boolean
         {
             var box:GroundBox = _box;
@@ -215,7 +219,7 @@ package starlogo.ground
             var farX:Number = box.halfX + other.halfX + maxDistance;
             var farY:Number = box.halfY + other.halfY + maxDistance;
             var farZ:Number = box.halfZ + other.halfZ + maxDistance;
-            if (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY)
+            if (pieces.kind != ModelPieces.TRIANGLE && (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY))
             {
                 return false;
             }

@@ -28,15 +28,11 @@ package starlogo.ground
         public var alongX:AxisPath = new AxisPath();
         public var alongY:AxisPath = new AxisPath();
 
+        /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
+        public var latestTime:Number = 0;
+
         /** The level with whose squares the search begins. Read only. */
         public var firstLevel:int = 0;
-
-        /**
-         * Between these heights is the box during the whole search, or as near as the limits say at its beginning. Tall walls are cut above and below, so no
-         * corner depends on how the limits are narrowed. Read only.
-         */
-        public var lowest:Number = 0;
-        public var highest:Number = 0;
 
         // How far the box reaches above and below its middle, and the slack.
         private var _reachZ:Number = 0;
@@ -51,13 +47,14 @@ package starlogo.ground
             var grid:HeightGrid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
+            latestTime = motion.latestTime;
             alongX.cellsBegin = grid.x - search.origin.x - grid.border;
             alongY.cellsBegin = grid.y - search.origin.y - grid.border;
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
             slack = TERMS_OF_PLACE * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
                     + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(search.origin.z) + grid.cellWidth + whole.max - whole.min
-                    + motion.latestTime * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
+                    + latestTime * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
             alongX.reach = box.halfX * Tolerances.OUTER + slack;
             alongX.speed = motion.x;
@@ -65,29 +62,25 @@ package starlogo.ground
             alongY.reach = box.halfY * Tolerances.OUTER + slack;
             alongY.speed = motion.y;
             _reachZ = box.halfZ * Tolerances.OUTER + slack;
-            var endZ:Number = box.z + motion.latestTime * motion.z;
-            lowest = Math.min(box.z, endZ) - _reachZ - search.maxDistance;
-            highest = Math.max(box.z, endZ) + _reachZ + search.maxDistance;
             findFirstLevel();
-        }
-
-        private function findFirstLevel():void
-        {
-            // the longer side of the rectangle over which the box passes
-            var latest:Number = search.motion.latestTime;
-            var length:Number = Math.max(2 * alongX.reach + latest * Math.abs(alongX.speed), 2 * alongY.reach + latest * Math.abs(alongY.speed))
-                + 2 * search.maxDistance;
-            firstLevel = 0;
-            while (firstLevel < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(firstLevel))
-            {
-                firstLevel++;
-            }
         }
 
         /** The column or row of a level that has the box's middle. It may be outside of the grid. */
         public function middleAlong(axis:AxisPath, level:int):int
         {
             return squareAt(axis.middle - axis.cellsBegin, level);
+        }
+
+        private function findFirstLevel():void
+        {
+            // the longer side of the rectangle over which the box passes
+            var length:Number = Math.max(2 * alongX.reach + latestTime * Math.abs(alongX.speed), 2 * alongY.reach + latestTime * Math.abs(alongY.speed))
+                + 2 * search.maxDistance;
+            firstLevel = 0;
+            while (firstLevel < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(firstLevel))
+            {
+                firstLevel++;
+            }
         }
 
         /** How wide the squares of a level are. */
@@ -124,21 +117,20 @@ package starlogo.ground
                 || row == HeightPyramid.squareOf(grid.lastCellRow, level);
         }
 
-        /** Finds the passage over a square until the latest time. Returns whether there is one. */
-        public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
+        /** Clips a passage to the part in which the box is over a square, and finds its heights. Returns whether there is such a part. */
+        public function clipToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean
         {
-            out.reset(search.motion.latestTime);
-            if (!clipAlong(alongX, column, level, out) || !clipAlong(alongY, row, level, out))
+            if (!clipAlong(alongX, column, level, passage) || !clipAlong(alongY, row, level, passage))
             {
                 return false;
             }
-            var start:Number = search.box.z + out.earliest * search.motion.z;
-            var end:Number = search.box.z + out.latest * search.motion.z;
+            var start:Number = search.box.z + passage.earliest * search.motion.z;
+            var end:Number = search.box.z + passage.latest * search.motion.z;
             var maxDistance:Number = search.maxDistance;
             // a triangle beside the box must be nearer in height to be near enough
-            var up:Number = maxDistance > 0 ? Math.sqrt(Math.max(0, maxDistance * maxDistance - out.squaredDistanceBeside)) : 0;
-            out.minHeight = Math.min(start, end) - _reachZ - up;
-            out.maxHeight = Math.max(start, end) + _reachZ + up;
+            var up:Number = maxDistance > 0 ? Math.sqrt(Math.max(0, maxDistance * maxDistance - passage.squaredDistanceBeside)) : 0;
+            passage.minHeight = Math.min(start, end) - _reachZ - up;
+            passage.maxHeight = Math.max(start, end) + _reachZ + up;
             return true;
         }
 

@@ -25,8 +25,12 @@ package starlogo.ground
         private var _next:int = 0;
         private var _end:int = 0;
 
-        // How the box passes over the cell. Triangles above and below it are left out.
+        // How the box passes over the cell within the limits that the search had when it came to the cell. Triangles above and below it are left out.
         private var _passage:SquarePassage;
+
+        // How the box passes over the cell until the latest time at the beginning of the GroundTriangles' search. Tall walls are cut above and below it, so
+        // no corner depends on what the latest time has become since.
+        private var _longestPassage:SquarePassage = new SquarePassage();
 
         /**
          * @param path of the boxes over the ground
@@ -44,7 +48,7 @@ package starlogo.ground
             _next = _end = 0;
         }
 
-        /** Begins with a cell. */
+        /** Begins with a cell, which the passage is clipped to. */
         public function begin(column:int, row:int):void
         {
             var grid:HeightGrid = _path.search.grid;
@@ -69,7 +73,13 @@ package starlogo.ground
             var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
             if (_passage.minHeight <= high && (hasWalls || _passage.maxHeight >= low))
             {
-                _end = hasWalls ? WALLS_END : TOPS_END;
+                _end = TOPS_END;
+                if (hasWalls)
+                {
+                    _longestPassage.reset(_path.latestTime);
+                    _path.clipToSquare(0, column, row, _longestPassage);
+                    _end = WALLS_END;
+                }
             }
         }
 
@@ -153,11 +163,11 @@ package starlogo.ground
             var width:Number = grid.cellWidth;
             if (floor == -Infinity)
             {
-                low = Math.max(low, Math.min(_path.lowest, Math.min(top, endTop)) - width);
+                low = Math.max(low, Math.min(_longestPassage.minHeight, Math.min(top, endTop)) - width);
             }
-            if (Math.min(top, endTop) > _path.highest + width)
+            if (Math.min(top, endTop) > _longestPassage.maxHeight + width)
             {
-                top = endTop = _path.highest + width;
+                top = endTop = _longestPassage.maxHeight + width;
             }
             copyTops(side, end, isUpper ? side : end, corners);
             corners[2] = low;

@@ -4,7 +4,7 @@ package starlogo.ground
     import starlogo.geometry.Touching;
 
     /**
-     * A triangle of the ground's surface, as a record. What the tests of all pieces of a model share is set by <code>prepare()</code>.
+     * A triangle of the ground's surface, as a record. What the tests of all pieces of a model share is set by the methods.
      *
      * @private
      */
@@ -26,11 +26,16 @@ package starlogo.ground
         internal var plane:TrianglePlane = new TrianglePlane();
         internal var margin:Number = 0;
 
-        /** Sets the box, which is larger by the slack of its source, the plane and the margin. */
-        internal function prepare(source:GroundTriangles):void
+        /** Sets the box, which is larger by the slack of its source. */
+        internal function setBox(source:GroundTriangles):void
         {
             box.setToTriangle(corners);
             box.grow(source.slack);
+        }
+
+        /** Sets the plane and the margin. */
+        internal function setPlane():void
+        {
             plane.setTriangle(corners, 0);
             margin = Touching.marginOfSurface(radius);
         }

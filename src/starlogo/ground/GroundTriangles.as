@@ -142,7 +142,8 @@ package starlogo.ground
             var level:int = _squares[_squaresEnd];
             var column:int = _squares[int(_squaresEnd + 1)];
             var row:int = _squares[int(_squaresEnd + 2)];
-            if (!_path.findPassage(level, column, row, _passage))
+            _passage.reset(_path.search.motion.latestTime);
+            if (!_path.clipToSquare(level, column, row, _passage))
             {
                 return;
             }

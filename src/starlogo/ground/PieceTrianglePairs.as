@@ -197,8 +197,13 @@ package starlogo.ground
             triangle = _found[_listedCount];
             while (_source.next(triangle))
             {
-                triangle.prepare(_source);
-                if (pieces.kind != ModelPieces.INNER_NODE || isNearBox())
+                triangle.setPlane();
+                if (pieces.kind != ModelPieces.INNER_NODE)
+                {
+                    return true;
+                }
+                triangle.setBox(_source);
+                if (isNearBox())
                 {
                     return true;
                 }

@@ -50,6 +50,8 @@ package starlogo.ground
             latestTime = motion.latestTime;
             alongX.cellsBegin = grid.x - search.origin.x - grid.border;
             alongY.cellsBegin = grid.y - search.origin.y - grid.border;
+            alongX.lastCell = grid.lastCellColumn;
+            alongY.lastCell = grid.lastCellRow;
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
             slack = TERMS_OF_PLACE * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
@@ -89,18 +91,18 @@ package starlogo.ground
             return search.grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
         }
 
-        /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
+        /** The first column or row of a level that the box may pass over in a passage. It may be after the last one. */
         public function firstSquareAlong(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var least:Number = axis.middle - axis.cellsBegin + Math.min(passage.earliest * axis.speed, passage.latest * axis.speed);
-            return squareAt(least - (axis.reach + search.maxDistance), level);
+            return Math.max(0, squareAt(least - (axis.reach + search.maxDistance), level));
         }
 
-        /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
+        /** The last column or row of a level that the box may pass over in a passage; -1 if the box is before the first one. */
         public function lastSquareAlong(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var greatest:Number = axis.middle - axis.cellsBegin + Math.max(passage.earliest * axis.speed, passage.latest * axis.speed);
-            return squareAt(greatest + (axis.reach + search.maxDistance), level);
+            return Math.min(HeightPyramid.squareOf(axis.lastCell, level), squareAt(greatest + (axis.reach + search.maxDistance), level));
         }
 
         // The column or row of a level that is so far from the first one; -1 for all before that one.
@@ -112,9 +114,8 @@ package starlogo.ground
         /** Whether a square is at a border of the ground. */
         public function isAtBorder(level:int, column:int, row:int):Boolean
         {
-            var grid:HeightGrid = search.grid;
-            return column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
-                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
+            return column == 0 || row == 0 || column == HeightPyramid.squareOf(alongX.lastCell, level)
+                || row == HeightPyramid.squareOf(alongY.lastCell, level);
         }
 
         /** Clips a passage to the part in which the box is over a square, and finds its heights. Returns whether there is such a part. */

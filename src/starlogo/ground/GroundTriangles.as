@@ -91,9 +91,6 @@ package starlogo.ground
         private function addSquares(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             var motion:RelativeMotion = _path.search.motion;
-            var grid:HeightGrid = _path.search.grid;
-            lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(grid.lastCellColumn, level));
-            lastRow = Math.min(lastRow, HeightPyramid.squareOf(grid.lastCellRow, level));
             var left:int = Math.max(firstColumn, _path.firstSquareAlong(_path.alongX, _passage, level));
             var right:int = Math.min(lastColumn, _path.lastSquareAlong(_path.alongX, _passage, level));
             var bottom:int = Math.max(firstRow, _path.firstSquareAlong(_path.alongY, _passage, level));

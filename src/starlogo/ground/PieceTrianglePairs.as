@@ -46,7 +46,7 @@ package starlogo.ground
         private var _next:int = 0;
         private var _end:int = 0;
 
-        // The box around the whole motion of the current piece.
+        // The box around the whole motion of the current piece, larger by the slack of the search.
         private var _box:GroundBox = new GroundBox();
 
         // The ground under a point of the current piece, and its normal there.
@@ -140,6 +140,7 @@ package starlogo.ground
                 _source.begin(search);
                 _listedCount = 0;
             }
+            _box.grow(_source.slack);
             if (!search.motion.isStill)
             {
                 _box.extendAlong(search.motion);
@@ -202,7 +203,7 @@ package starlogo.ground
                 {
                     return true;
                 }
-                triangle.setBox(_source);
+                triangle.box.setToTriangle(triangle.corners);
                 if (isNearBox())
                 {
                     return true;
@@ -234,7 +235,7 @@ package starlogo.ground
             y = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
             z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
             // a flat triangle has no plane
-            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > maxDistance - search.minDepth + _source.slack);
+            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > maxDistance - search.minDepth);
         }
 
         /** Finds the ground under a point of the current piece. Returns whether the point is at least this deep under it. */

@@ -91,18 +91,18 @@ package starlogo.ground
             return search.grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
         }
 
-        /** The first column or row of a level that the box may pass over in a passage. It may be after the last one. */
+        /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function firstSquareAlong(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var least:Number = axis.middle - axis.cellsBegin + Math.min(passage.earliest * axis.speed, passage.latest * axis.speed);
-            return Math.max(0, squareAt(least - (axis.reach + search.maxDistance), level));
+            return squareAt(least - (axis.reach + search.maxDistance), level);
         }
 
-        /** The last column or row of a level that the box may pass over in a passage; -1 if the box is before the first one. */
+        /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function lastSquareAlong(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var greatest:Number = axis.middle - axis.cellsBegin + Math.max(passage.earliest * axis.speed, passage.latest * axis.speed);
-            return Math.min(HeightPyramid.squareOf(axis.lastCell, level), squareAt(greatest + (axis.reach + search.maxDistance), level));
+            return squareAt(greatest + (axis.reach + search.maxDistance), level);
         }
 
         // The column or row of a level that is so far from the first one; -1 for all before that one.
@@ -118,9 +118,16 @@ package starlogo.ground
                 || row == HeightPyramid.squareOf(alongY.lastCell, level);
         }
 
-        /** Clips a passage to the part in which the box is over a square, and finds its heights. Returns whether there is such a part. */
+        /**
+         * Finds the part of the motion in which the box is over a square.
+         *
+         * @param passage receives the part. Its latest time is given: that of the whole motion that counts
+         * @return whether there is such a part
+         */
         public function clipToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean
         {
+            passage.earliest = 0;
+            passage.squaredDistanceBeside = 0;
             if (!clipAlong(alongX, column, level, passage) || !clipAlong(alongY, row, level, passage))
             {
                 return false;

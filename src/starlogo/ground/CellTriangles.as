@@ -76,7 +76,7 @@ package starlogo.ground
                 _end = TOPS_END;
                 if (hasWalls)
                 {
-                    _longestPassage.reset(_path.latestTime);
+                    _longestPassage.latest = _path.latestTime;
                     _path.clipToSquare(0, column, row, _longestPassage);
                     _end = WALLS_END;
                 }

@@ -50,7 +50,8 @@ package starlogo.ground
         {
             stop();
             _path.begin(search);
-            _passage.reset(search.motion.latestTime);
+            _passage.earliest = 0;
+            _passage.latest = search.motion.latestTime;
         }
 
         /** Ends: there is no next triangle. */
@@ -91,6 +92,8 @@ package starlogo.ground
         private function addSquares(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             var motion:RelativeMotion = _path.search.motion;
+            lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(_path.alongX.lastCell, level));
+            lastRow = Math.min(lastRow, HeightPyramid.squareOf(_path.alongY.lastCell, level));
             var left:int = Math.max(firstColumn, _path.firstSquareAlong(_path.alongX, _passage, level));
             var right:int = Math.min(lastColumn, _path.lastSquareAlong(_path.alongX, _passage, level));
             var bottom:int = Math.max(firstRow, _path.firstSquareAlong(_path.alongY, _passage, level));
@@ -139,7 +142,7 @@ package starlogo.ground
             var level:int = _squares[_squaresEnd];
             var column:int = _squares[int(_squaresEnd + 1)];
             var row:int = _squares[int(_squaresEnd + 2)];
-            _passage.reset(_path.search.motion.latestTime);
+            _passage.latest = _path.search.motion.latestTime;
             if (!_path.clipToSquare(level, column, row, _passage))
             {
                 return;

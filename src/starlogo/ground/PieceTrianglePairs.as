@@ -46,7 +46,7 @@ package starlogo.ground
         private var _next:int = 0;
         private var _end:int = 0;
 
-        // The box around the whole motion of the current piece, larger by the slack of the search.
+        // The box around the whole motion of the current piece.
         private var _box:GroundBox = new GroundBox();
 
         // The ground under a point of the current piece, and its normal there.
@@ -109,10 +109,16 @@ package starlogo.ground
             return false;
         }
 
-        /** Goes on to the next triangle near the piece. Returns false if there is none. */
+        /** Goes on to the next triangle near the piece: in its list, or if it has none, in the search. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            var isNear:Boolean = nextNearBox();
+            var isNear:Boolean = _end == 0 && findOneMore();
+            while (!isNear && _next < _end)
+            {
+                triangle = _lists[_next];
+                _next++;
+                isNear = isNearBox();
+            }
             if (isNear)
             {
                 // SquareSeparation may read the margin of any triangle: none is more than its slack
@@ -140,7 +146,6 @@ package starlogo.ground
                 _source.begin(search);
                 _listedCount = 0;
             }
-            _box.grow(_source.slack);
             if (!search.motion.isStill)
             {
                 _box.extendAlong(search.motion);
@@ -153,8 +158,7 @@ package starlogo.ground
             var isSearched:Boolean = _end == 0;
             var begin:int = _end;
             var end:int = _end;
-            var isNear:Boolean = nextNearBox();
-            if (!isNear)
+            if (!nextTriangle())
             {
                 return false;
             }
@@ -167,25 +171,10 @@ package starlogo.ground
                     end++;
                     _listedCount = isSearched ? end : _listedCount;
                 }
-                while (nextNearBox());
+                while (nextTriangle());
             }
             pieces.divide(begin, end);
             return true;
-        }
-
-        // Goes on to the next triangle near the box: in the list, or if there is none, in the search.
-        private function nextNearBox():Boolean
-        {
-            while (_next < _end)
-            {
-                triangle = _lists[_next];
-                _next++;
-                if (isNearBox())
-                {
-                    return true;
-                }
-            }
-            return _end == 0 && findOneMore();
         }
 
         // Finds the next triangle of the search: those that it finds are near the box, but an inner node may be all in front of one.
@@ -218,13 +207,13 @@ package starlogo.ground
         {
             var box:GroundBox = _box;
             var other:GroundBox = triangle.box;
-            var maxDistance:Number = search.maxDistance;
+            var gap:Number = search.maxDistance + _source.slack;
             var x:Number = box.x - other.x;
             var y:Number = box.y - other.y;
             var z:Number = box.z - other.z;
-            var farX:Number = box.halfX + other.halfX + maxDistance;
-            var farY:Number = box.halfY + other.halfY + maxDistance;
-            var farZ:Number = box.halfZ + other.halfZ + maxDistance;
+            var farX:Number = box.halfX + other.halfX + gap;
+            var farY:Number = box.halfY + other.halfY + gap;
+            var farZ:Number = box.halfZ + other.halfZ + gap;
             if (pieces.kind != ModelPieces.TRIANGLE && (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY))
             {
                 return false;
@@ -235,7 +224,7 @@ package starlogo.ground
             y = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
             z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
             // a flat triangle has no plane
-            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > maxDistance - search.minDepth);
+            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > gap - search.minDepth);
         }
 
         /** Finds the ground under a point of the current piece. Returns whether the point is at least this deep under it. */

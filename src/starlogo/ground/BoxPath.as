@@ -31,9 +31,6 @@ package starlogo.ground
         /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
         public var latestTime:Number = 0;
 
-        /** The level with whose squares the search begins. Read only. */
-        public var firstLevel:int = 0;
-
         // How far the box reaches above and below its middle, and the slack.
         private var _reachZ:Number = 0;
 
@@ -64,7 +61,6 @@ package starlogo.ground
             alongY.reach = box.halfY * Tolerances.OUTER + slack;
             alongY.speed = motion.y;
             _reachZ = box.halfZ * Tolerances.OUTER + slack;
-            findFirstLevel();
         }
 
         /** The column or row of a level that has the box's middle. It may be outside of the grid. */
@@ -73,16 +69,18 @@ package starlogo.ground
             return squareAt(axis.middle - axis.cellsBegin, level);
         }
 
-        private function findFirstLevel():void
+        /** The level with whose squares the search begins. */
+        public function firstLevel():int
         {
             // the longer side of the rectangle over which the box passes
             var length:Number = Math.max(2 * alongX.reach + latestTime * Math.abs(alongX.speed), 2 * alongY.reach + latestTime * Math.abs(alongY.speed))
                 + 2 * search.maxDistance;
-            firstLevel = 0;
-            while (firstLevel < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(firstLevel))
+            var level:int = 0;
+            while (level < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(level))
             {
-                firstLevel++;
+                level++;
             }
+            return level;
         }
 
         /** How wide the squares of a level are. */

@@ -43,7 +43,7 @@ package starlogo.ground
         internal function begin(search:GroundSearch):void
         {
             reset(search);
-            addSquares(_path.firstLevel, 0, 0, int.MAX_VALUE, int.MAX_VALUE);
+            addSquares(_path.firstLevel(), 0, 0, int.MAX_VALUE, int.MAX_VALUE);
         }
 
         private function reset(search:GroundSearch):void
@@ -64,7 +64,7 @@ package starlogo.ground
         /** Whether the search, which has just begun, begins with cells and not with larger squares, because its box comes to few cells. */
         internal function beginsAtCells():Boolean
         {
-            return _path.firstLevel == 0;
+            return _path.firstLevel() == 0;
         }
 
         /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */

@@ -22,7 +22,6 @@ package starlogo.bounding
         // How far the lengths and the dot products of the axes may be off from 1 and 0. Axes that are as precise as this are copied to the last bit.
         private static const AXES_ROUNDING:Number = 1e-15;
 
-        private static var sRotated:Vector3D = new Vector3D();
         private static var sHalves:Vector3D = new Vector3D();
 
         /** The middle. */
@@ -162,33 +161,26 @@ package starlogo.bounding
         /** @private */
         override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
-            var size:Number = placement.size;
-            var x:Number = halfX * size;
-            var y:Number = halfY * size;
-            var z:Number = halfZ * size;
-            var rotated:Vector3D = sRotated;
-            rotated.x = center.x * size;
-            rotated.y = center.y * size;
-            rotated.z = center.z * size;
-            var margin:Number = Tolerances.ROUNDING * (Math.abs(rotated.x) + Math.abs(rotated.y) + Math.abs(rotated.z) + x + y + z);
-            placement.rotate(rotated, rotated);
-            out[0] = rotated.x;
-            out[1] = rotated.y;
-            out[2] = rotated.z;
-
-            // For each axis, how far the box extends along x, y and z.
-            placement.rotate(axisX, rotated);
-            var extentX:Number = x * Math.abs(rotated.x);
-            var extentY:Number = x * Math.abs(rotated.y);
-            var extentZ:Number = x * Math.abs(rotated.z);
-            placement.rotate(axisY, rotated);
-            extentX += y * Math.abs(rotated.x);
-            extentY += y * Math.abs(rotated.y);
-            extentZ += y * Math.abs(rotated.z);
-            placement.rotate(axisZ, rotated);
-            out[3] = extentX + z * Math.abs(rotated.x) + margin;
-            out[4] = extentY + z * Math.abs(rotated.y) + margin;
-            out[5] = extentZ + z * Math.abs(rotated.z) + margin;
+            var m:Placement = placement;
+            var size:Number = m.size;
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            out[0] = m.r00 * x + m.r01 * y + m.r02 * z;
+            out[1] = m.r10 * x + m.r11 * y + m.r12 * z;
+            out[2] = m.r20 * x + m.r21 * y + m.r22 * z;
+            var margin:Number = Math.abs(x) + Math.abs(y) + Math.abs(z);
+            x = halfX * size;
+            y = halfY * size;
+            z = halfZ * size;
+            margin = Tolerances.ROUNDING * (margin + x + y + z);
+            // how far each of the box's axes extends along x, y and z
+            out[3] = x * Math.abs(m.r00 * axisX.x + m.r01 * axisX.y + m.r02 * axisX.z) + y * Math.abs(m.r00 * axisY.x + m.r01 * axisY.y + m.r02 * axisY.z)
+                + z * Math.abs(m.r00 * axisZ.x + m.r01 * axisZ.y + m.r02 * axisZ.z) + margin;
+            out[4] = x * Math.abs(m.r10 * axisX.x + m.r11 * axisX.y + m.r12 * axisX.z) + y * Math.abs(m.r10 * axisY.x + m.r11 * axisY.y + m.r12 * axisY.z)
+                + z * Math.abs(m.r10 * axisZ.x + m.r11 * axisZ.y + m.r12 * axisZ.z) + margin;
+            out[5] = x * Math.abs(m.r20 * axisX.x + m.r21 * axisX.y + m.r22 * axisX.z) + y * Math.abs(m.r20 * axisY.x + m.r21 * axisY.y + m.r22 * axisY.z)
+                + z * Math.abs(m.r20 * axisZ.x + m.r21 * axisZ.y + m.r22 * axisZ.z) + margin;
         }
 
         /** @private */

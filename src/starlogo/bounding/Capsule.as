@@ -24,9 +24,6 @@ package starlogo.bounding
         /** The radius in patches, not negative. */
         public var radius:Number;
 
-        private static var sMiddle:Vector3D = new Vector3D();
-        private static var sHalf:Vector3D = new Vector3D();
-
         /**
          * Creates a capsule around the segment between two points.
          *
@@ -137,26 +134,23 @@ package starlogo.bounding
         /** @private */
         override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
-            var size:Number = placement.size;
-            var middle:Vector3D = sMiddle;
-            var half:Vector3D = sHalf;
-            middle.x = (start.x + end.x) / 2 * size;
-            middle.y = (start.y + end.y) / 2 * size;
-            middle.z = (start.z + end.z) / 2 * size;
-            half.x = (end.x - start.x) / 2 * size;
-            half.y = (end.y - start.y) / 2 * size;
-            half.z = (end.z - start.z) / 2 * size;
-            var outerRadius:Number = radius * size;
-            outerRadius += Tolerances.ROUNDING * (outerRadius + (Math.abs(middle.x) + Math.abs(middle.y) + Math.abs(middle.z)
-                        + (Math.abs(half.x) + Math.abs(half.y) + Math.abs(half.z))));
-            placement.rotate(middle, middle);
-            placement.rotate(half, half);
-            out[0] = middle.x;
-            out[1] = middle.y;
-            out[2] = middle.z;
-            out[3] = Math.abs(half.x) + outerRadius;
-            out[4] = Math.abs(half.y) + outerRadius;
-            out[5] = Math.abs(half.z) + outerRadius;
+            var m:Placement = placement;
+            var half:Number = m.size / 2;
+            var x:Number = (start.x + end.x) * half;
+            var y:Number = (start.y + end.y) * half;
+            var z:Number = (start.z + end.z) * half;
+            var toEndX:Number = (end.x - start.x) * half;
+            var toEndY:Number = (end.y - start.y) * half;
+            var toEndZ:Number = (end.z - start.z) * half;
+            var outerRadius:Number = radius * m.size;
+            outerRadius += Tolerances.ROUNDING * (outerRadius + (Math.abs(x) + Math.abs(y) + Math.abs(z)
+                        + (Math.abs(toEndX) + Math.abs(toEndY) + Math.abs(toEndZ))));
+            out[0] = m.r00 * x + m.r01 * y + m.r02 * z;
+            out[1] = m.r10 * x + m.r11 * y + m.r12 * z;
+            out[2] = m.r20 * x + m.r21 * y + m.r22 * z;
+            out[3] = Math.abs(m.r00 * toEndX + m.r01 * toEndY + m.r02 * toEndZ) + outerRadius;
+            out[4] = Math.abs(m.r10 * toEndX + m.r11 * toEndY + m.r12 * toEndZ) + outerRadius;
+            out[5] = Math.abs(m.r20 * toEndX + m.r21 * toEndY + m.r22 * toEndZ) + outerRadius;
         }
     }
 }

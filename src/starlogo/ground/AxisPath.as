@@ -12,7 +12,8 @@ package starlogo.ground
         /** How far the box moves from time 0 to time 1. */
         public var speed:Number = 0;
 
-        /** Where the cells of the ground begin. */
+        /** Where the cells of the ground begin, and the column or the row of the last one. */
         public var cellsBegin:Number = 0;
+        public var lastCell:int = 0;
     }
 }

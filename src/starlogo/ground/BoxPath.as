@@ -28,8 +28,8 @@ package starlogo.ground
         public var alongX:AxisPath = new AxisPath();
         public var alongY:AxisPath = new AxisPath();
 
-        // The latest time of the motion when the search began. It may have become earlier since.
-        private var _latest:Number = 0;
+        /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
+        public var latestTime:Number = 0;
 
         // How far the box reaches above and below its middle, and the slack.
         private var _reachZ:Number = 0;
@@ -44,14 +44,16 @@ package starlogo.ground
             var grid:HeightGrid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
-            _latest = motion.latestTime;
+            latestTime = motion.latestTime;
             alongX.cellsBegin = grid.x - search.origin.x - grid.border;
             alongY.cellsBegin = grid.y - search.origin.y - grid.border;
+            alongX.lastCell = grid.lastCellColumn;
+            alongY.lastCell = grid.lastCellRow;
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
             slack = TERMS_OF_PLACE * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
                     + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(search.origin.z) + grid.cellWidth + whole.max - whole.min
-                    + _latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
+                    + latestTime * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
             alongX.reach = box.halfX * Tolerances.OUTER + slack;
             alongX.speed = motion.x;
@@ -71,7 +73,7 @@ package starlogo.ground
         public function firstLevel():int
         {
             // the longer side of the rectangle over which the box passes
-            var length:Number = Math.max(2 * alongX.reach + _latest * Math.abs(alongX.speed), 2 * alongY.reach + _latest * Math.abs(alongY.speed))
+            var length:Number = Math.max(2 * alongX.reach + latestTime * Math.abs(alongX.speed), 2 * alongY.reach + latestTime * Math.abs(alongY.speed))
                 + 2 * search.maxDistance;
             var level:int = 0;
             while (level < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(level))
@@ -110,28 +112,20 @@ package starlogo.ground
         /** Whether a square is at a border of the ground. */
         public function isAtBorder(level:int, column:int, row:int):Boolean
         {
-            var grid:HeightGrid = search.grid;
-            return column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
-                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
+            return column == 0 || row == 0 || column == HeightPyramid.squareOf(alongX.lastCell, level)
+                || row == HeightPyramid.squareOf(alongY.lastCell, level);
         }
 
-        /** Finds the passage over a square until the latest time. Returns whether there is one. */
-        public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
+        /**
+         * Finds the part of the motion in which the box is over a square.
+         *
+         * @param passage receives the part. Its latest time is given: that of the whole motion that counts
+         * @return whether there is such a part
+         */
+        public function clipToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean
         {
-            out.reset(search.motion.latestTime);
-            return clipToSquare(level, column, row, out);
-        }
-
-        /** Finds the passage over a cell until the time that was the latest when the search began. The box passes over the cell. */
-        public function findLongestPassage(column:int, row:int, out:SquarePassage):void
-        {
-            out.reset(_latest);
-            clipToSquare(0, column, row, out);
-        }
-
-        // Clips a passage to the part in which the box is over a square, and finds its heights. Returns whether there is such a part.
-        private function clipToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean
-        {
+            passage.earliest = 0;
+            passage.squaredDistanceBeside = 0;
             if (!clipAlong(alongX, column, level, passage) || !clipAlong(alongY, row, level, passage))
             {
                 return false;

@@ -32,10 +32,14 @@ package starlogo.ground
         // no corner depends on what the latest time has become since.
         private var _longestPassage:SquarePassage = new SquarePassage();
 
-        /** @param path of the boxes over the ground */
-        public function CellTriangles(path:BoxPath)
+        /**
+         * @param path of the boxes over the ground
+         * @param passage how the box passes over the current cell
+         */
+        public function CellTriangles(path:BoxPath, passage:SquarePassage)
         {
             _path = path;
+            _passage = passage;
         }
 
         /** Ends: there is no next triangle. */
@@ -44,12 +48,8 @@ package starlogo.ground
             _next = _end = 0;
         }
 
-        /**
-         * Begins with a cell.
-         *
-         * @param passage how the box passes over the cell; kept until the next cell
-         */
-        public function begin(column:int, row:int, passage:SquarePassage):void
+        /** Begins with a cell, which the passage is clipped to. */
+        public function begin(column:int, row:int):void
         {
             var grid:HeightGrid = _path.search.grid;
             var at:int = row * grid.columns + column;
@@ -61,7 +61,6 @@ package starlogo.ground
             }
             _column = column;
             _row = row;
-            _passage = passage;
             readTops(at);
             var tops:Vector.<Number> = _tops;
             // comparisons take the player less time than Math.min() and Math.max()
@@ -72,12 +71,13 @@ package starlogo.ground
             high = high > tops[8] ? high : tops[8];
             high = high > tops[11] ? high : tops[11];
             var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
-            if (passage.minHeight <= high && (hasWalls || passage.maxHeight >= low))
+            if (_passage.minHeight <= high && (hasWalls || _passage.maxHeight >= low))
             {
                 _end = TOPS_END;
                 if (hasWalls)
                 {
-                    _path.findLongestPassage(column, row, _longestPassage);
+                    _longestPassage.latest = _path.latestTime;
+                    _path.clipToSquare(0, column, row, _longestPassage);
                     _end = WALLS_END;
                 }
             }

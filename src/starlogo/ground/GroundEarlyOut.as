@@ -24,8 +24,11 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, and bounds of the heights around.
+        // The place under the agent's middle.
         private var _under:GroundPoint = new GroundPoint();
+
+        // The agent's extents, larger by what rounding makes of a touch, and bounds of the heights around.
+        private var _outer:GroundBox = new GroundBox();
         private var _heightsAround:HeightBounds = new HeightBounds();
 
         /**
@@ -45,49 +48,51 @@ package starlogo.ground
                 return UNKNOWN;
             }
             var isSphere:Boolean = kind == BoundingStructure.SPHERE;
-            // a ball with this radius around the middle is in the agent
-            var inner:Number = isSphere ? extents.halfX : 0;
             _under.x = extents.x;
             _under.y = extents.y;
             grid.findHeight(_under);
+            // NaN if no ground is below. Then nothing is known
             var above:Number = extents.z - _under.height;
-            if (above <= inner)
+            // a ball with this radius around the middle is in the agent
+            if (above <= (isSphere ? extents.halfX : 0))
             {
                 // the middle of a hull's extents may be outside of the hull
                 return kind == BoundingStructure.HULL ? UNKNOWN : TOUCHING;
             }
-            if (isNaN(above))
-            {
-                // no ground is below
-                return UNKNOWN;
-            }
-            var whole:HeightBounds = grid.pyramid.whole;
-            // agents that are this close may touch, because of rounding
-            var touchMargin:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
-                    + Math.abs(whole.min) + Math.abs(whole.max));
-            var slope:Number = grid.isBlocky ? Infinity : Math.max(whole.maxStepX, whole.maxStepY) / grid.cellWidth;
-            // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
-            var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
+            findOuter(grid, extents);
             // an agent whose lowest height is in the ground under its middle is not far
-            var isApart:Boolean = above > height * Tolerances.OUTER + touchMargin || above > extents.halfZ && isFar(grid, extents, isSphere, above, touchMargin);
+            var isApart:Boolean = isAboveSlopes(grid, isSphere, grid.pyramid.whole) || above > extents.halfZ && isFar(grid, isSphere);
             return isApart ? APART : UNKNOWN;
         }
 
-        // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
-        private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, touchMargin:Number):Boolean
+        private function findOuter(grid:HeightGrid, extents:GroundBox):void
         {
-            var halfX:Number = extents.halfX * Tolerances.OUTER + touchMargin;
-            var halfY:Number = extents.halfY * Tolerances.OUTER + touchMargin;
-            var halfZ:Number = extents.halfZ * Tolerances.OUTER + touchMargin;
-            grid.pyramid.findAround(extents.x, extents.y, halfX, halfY, _heightsAround);
-            if (extents.z - halfZ > _heightsAround.max)
-            {
-                return true;
-            }
-            var riseX:Number = _heightsAround.maxStepX * halfX / grid.cellWidth;
-            var riseY:Number = _heightsAround.maxStepY * halfY / grid.cellWidth;
-            var height:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
-            return !grid.isBlocky && above > height;
+            var whole:HeightBounds = grid.pyramid.whole;
+            var margin:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
+                    + Math.abs(whole.min) + Math.abs(whole.max));
+            _outer.x = extents.x;
+            _outer.y = extents.y;
+            _outer.z = extents.z;
+            _outer.halfX = extents.halfX * Tolerances.OUTER + margin;
+            _outer.halfY = extents.halfY * Tolerances.OUTER + margin;
+            _outer.halfZ = extents.halfZ * Tolerances.OUTER + margin;
+        }
+
+        // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
+        private function isFar(grid:HeightGrid, isSphere:Boolean):Boolean
+        {
+            grid.pyramid.findAround(_outer.x, _outer.y, _outer.halfX, _outer.halfY, _heightsAround);
+            return _outer.z - _outer.halfZ > _heightsAround.max || isAboveSlopes(grid, isSphere, _heightsAround);
+        }
+
+        // Whether the agent is higher above its place than slopes of some heights reach. Blocks have no slopes.
+        private function isAboveSlopes(grid:HeightGrid, isSphere:Boolean, heights:HeightBounds):Boolean
+        {
+            var riseX:Number = heights.maxStepX * _outer.halfX / grid.cellWidth;
+            var riseY:Number = heights.maxStepY * _outer.halfY / grid.cellWidth;
+            var halfZ:Number = _outer.halfZ;
+            var reach:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
+            return !grid.isBlocky && _outer.z - _under.height > reach;
         }
     }
 }

@@ -141,11 +141,7 @@ package starlogo.ground
             while (_pairs.next())
             {
                 var rounding:Number = roundingHere();
-                _pairs.triangle.plane.findBehind(_pairs.pieces.kernel.shape, RelativeMotion.NONE, _tried);
-                var behind:Number = _tried.depth;
-                // no overlap is deeper than the piece is behind the plane
-                var isLess:Boolean = mostOverlap > 0 && behind < mostOverlap - rounding;
-                if (!isLess && findOverlap(_tried))
+                if (findOverlap(_tried))
                 {
                     var overlap:Number = _tried.depth;
                     _pairs.triangle.plane.leadOutside(_pairs.pieces.kernel.shape, RelativeMotion.NONE, _tried);
@@ -154,6 +150,8 @@ package starlogo.ground
                     {
                         isFound = true;
                         mostOverlap = Math.max(overlap, mostOverlap);
+                        // no overlap is deeper than the piece is behind the plane
+                        _pairs.search.minDepth = mostOverlap - rounding;
                         _pairs.moveToWorld(_tried);
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;

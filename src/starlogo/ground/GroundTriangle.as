@@ -4,7 +4,7 @@ package starlogo.ground
     import starlogo.geometry.Touching;
 
     /**
-     * A triangle of the ground's surface, as a record. What the tests of all pieces of a model share is set by <code>prepare()</code>.
+     * A triangle of the ground's surface, as a record. The box and the plane are for the tests of pieces of a model, which set them.
      *
      * @private
      */
@@ -19,18 +19,16 @@ package starlogo.ground
         /** A sphere with this radius around the triangle's middle contains it. It need not be the smallest. */
         public var radius:Number = 0;
 
-        /** A box around it. */
+        /** The box around it. */
         internal var box:GroundBox = new GroundBox();
 
         /** Its plane, and how far from it other shapes still touch it, because its surface is rounded (see Touching). */
         internal var plane:TrianglePlane = new TrianglePlane();
         internal var margin:Number = 0;
 
-        /** Sets the box, which is larger by the slack of its source, the plane and the margin. */
-        internal function prepare(source:GroundTriangles):void
+        /** Sets the plane and the margin. */
+        internal function setPlane():void
         {
-            box.setToTriangle(corners);
-            box.grow(source.slack);
             plane.setTriangle(corners, 0);
             margin = Touching.marginOfSurface(radius);
         }

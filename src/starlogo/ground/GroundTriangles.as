@@ -22,7 +22,7 @@ package starlogo.ground
         // Of the current square: how the box passes over it, its heights, and if it is a cell, its triangles.
         private var _passage:SquarePassage = new SquarePassage();
         private var _heights:HeightBounds = new HeightBounds();
-        private var _cell:CellTriangles = new CellTriangles(_path);
+        private var _cell:CellTriangles = new CellTriangles(_path, _passage);
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
@@ -50,7 +50,8 @@ package starlogo.ground
         {
             stop();
             _path.begin(search);
-            _passage.reset(search.motion.latestTime);
+            _passage.earliest = 0;
+            _passage.latest = search.motion.latestTime;
         }
 
         /** Ends: there is no next triangle. */
@@ -91,9 +92,8 @@ package starlogo.ground
         private function addSquares(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             var motion:RelativeMotion = _path.search.motion;
-            var grid:HeightGrid = _path.search.grid;
-            lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(grid.lastCellColumn, level));
-            lastRow = Math.min(lastRow, HeightPyramid.squareOf(grid.lastCellRow, level));
+            lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(_path.alongX.lastCell, level));
+            lastRow = Math.min(lastRow, HeightPyramid.squareOf(_path.alongY.lastCell, level));
             var left:int = Math.max(firstColumn, _path.firstSquareAlong(_path.alongX, _passage, level));
             var right:int = Math.min(lastColumn, _path.lastSquareAlong(_path.alongX, _passage, level));
             var bottom:int = Math.max(firstRow, _path.firstSquareAlong(_path.alongY, _passage, level));
@@ -142,13 +142,14 @@ package starlogo.ground
             var level:int = _squares[_squaresEnd];
             var column:int = _squares[int(_squaresEnd + 1)];
             var row:int = _squares[int(_squaresEnd + 2)];
-            if (!_path.findPassage(level, column, row, _passage))
+            _passage.latest = _path.search.motion.latestTime;
+            if (!_path.clipToSquare(level, column, row, _passage))
             {
                 return;
             }
             if (level == 0)
             {
-                _cell.begin(column, row, _passage);
+                _cell.begin(column, row);
                 return;
             }
             readHeights(level, column, row);

@@ -56,8 +56,9 @@ package starlogo.ground
         /** A point of the current piece; the middle of the box of an inner node. Read only. */
         public var point:Vector3D = new Vector3D();
 
-        /** How many nodes come after the current piece and those inside of it. Read only. */
-        public var nodesLeft:int = 0;
+        /** The range that <code>divide()</code> was given for the pieces in which the current one is; 0 and 0 for the first piece. Read only. */
+        public var listBegin:int = 0;
+        public var listEnd:int = 0;
 
         private var _tree:BoxTree;
         private var _structure:BoundingStructure;
@@ -69,10 +70,12 @@ package starlogo.ground
         private var _placement:Placement = new Placement();
         private var _modelMargin:Number = 0;
 
-        // What comes next: a range of the tree's triangles, then nodes from the last one on. Behind these is the current node.
+        // What comes next: a range of the tree's triangles, then nodes from the last one on. Each has three numbers: the node, and the range for it. Behind
+        // these is the current node.
         private var _nextTriangle:int = 0;
         private var _trianglesEnd:int = 0;
         private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _nodesEnd:int = 0;
 
         // The middle and the half lengths of a box, relative to the model's place.
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
@@ -105,8 +108,8 @@ package starlogo.ground
         public function begin():void
         {
             _nextTriangle = _trianglesEnd = 0;
-            _nodes[0] = 0;
-            nodesLeft = 1;
+            _nodesEnd = 0;
+            push(0, 0, 0);
         }
 
         /** Goes on to the next piece. Returns false if there is none. */
@@ -117,18 +120,20 @@ package starlogo.ground
                 enterTriangle();
                 return true;
             }
-            if (nodesLeft == 0)
+            if (_nodesEnd == 0)
             {
                 return false;
             }
-            nodesLeft--;
+            _nodesEnd -= 3;
+            listBegin = _nodes[int(_nodesEnd + 1)];
+            listEnd = _nodes[int(_nodesEnd + 2)];
             if (_tree == null)
             {
                 enterStructure(_structure, STRUCTURE);
             }
             else
             {
-                enterNode(_nodes[nodesLeft]);
+                enterNode(_nodes[_nodesEnd]);
             }
             return true;
         }
@@ -136,23 +141,32 @@ package starlogo.ground
         /**
          * Divides the current piece, an inner node: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below.
          *
-         * @return whether they are the triangles of a leaf
+         * @param listBegin where the range for the pieces inside of it begins; listEnd is where it ends
          */
-        public function divide():Boolean
+        public function divide(listBegin:int, listEnd:int):void
         {
-            var node:int = _nodes[nodesLeft];
+            var node:int = _nodes[_nodesEnd];
             var left:int = _tree.left[node];
             if (left == 0)
             {
                 _nextTriangle = _tree.firstPrimitive[node];
                 _trianglesEnd = _tree.endPrimitive[node];
-                return true;
+                this.listBegin = listBegin;
+                this.listEnd = listEnd;
+                return;
             }
-            var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
-            _nodes[nodesLeft] = isLeftLower ? left + 1 : left;
-            _nodes[int(nodesLeft + 1)] = isLeftLower ? left : left + 1;
-            nodesLeft += 2;
-            return false;
+            var lower:int = heightOf(left) < heightOf(left + 1) ? left : left + 1;
+            push(left + left + 1 - lower, listBegin, listEnd);
+            push(lower, listBegin, listEnd);
+        }
+
+        // Puts a node on the stack, and the range for it.
+        private function push(node:int, listBegin:int, listEnd:int):void
+        {
+            _nodes[_nodesEnd] = node;
+            _nodes[int(_nodesEnd + 1)] = listBegin;
+            _nodes[int(_nodesEnd + 2)] = listEnd;
+            _nodesEnd += 3;
         }
 
         // How high the middle of a node is, as a multiple of the model's size.

@@ -15,14 +15,8 @@ package starlogo.ground
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
      *
-     * <p>A GroundTriangles finds the triangles near a box. There are three cases:</p>
-     *
-     * <ul>
-     * <li>A piece has its own search, and its triangles are tested as they are found.</li>
-     * <li>An inner node comes to few cells. Its triangles are kept, and the box of each piece inside of it is tested against them.</li>
-     * <li>A leaf is inside of such a node, and its pieces are triangles. Of the kept triangles those near the leaf's box are chosen, and each piece is
-     * tested against these by their planes.</li>
-     * </ul>
+     * <p>A GroundTriangles finds the triangles near the box of a piece. An inner node that comes to few cells keeps them in a list. Each piece inside of
+     * it takes those near its own box from the list of the node around it, and if it is an inner node, makes a list of these.</p>
      */
     internal final class PieceTrianglePairs
     {
@@ -40,23 +34,19 @@ package starlogo.ground
 
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // The triangles that the search has found so far. If they are not kept, the first one is overwritten. The list grows during the first searches, up
-        // to the triangles of few cells. So later frames allocate nothing.
+        // The triangles that the search has found and that are in a list, and then the one that it finds next. They are used again by later searches, so
+        // frames allocate nothing.
         private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
-        private var _foundCount:int = 0;
+        private var _listedCount:int = 0;
 
-        // Whether they are kept for all pieces inside of an inner node, and how many nodes come after these pieces.
-        private var _areKept:Boolean = false;
-        private var _nodesAfterKept:int = 0;
+        // The lists of the current inner node and of those around it, the outermost one's first.
+        private var _lists:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
 
-        // Those near the box of the leaf that was divided last, if they were kept.
-        private var _leafTriangles:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
-        private var _leafTriangleCount:int = 0;
-
-        // The place of the next triangle in the list that the current piece is tested against.
+        // The rest of the list that the current piece takes its triangles from. If there is no list, it ends at 0.
         private var _next:int = 0;
+        private var _end:int = 0;
 
-        // The box around the whole motion of the current piece, or of the leaf around it.
+        // The box around the whole motion of the current piece.
         private var _box:GroundBox = new GroundBox();
 
         // The ground under a point of the current piece, and its normal there.
@@ -83,8 +73,7 @@ package starlogo.ground
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
             _source.stop();
-            _areKept = false;
-            _next = _foundCount = 0;
+            _next = _end = 0;
             pieces.begin();
             search.motion = motion;
             search.maxDistance = maxDistance;
@@ -109,35 +98,27 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _next = 0;
-                // the found triangles are kept until the pieces inside of their node are through
-                _areKept = _areKept && pieces.nodesLeft >= _nodesAfterKept;
-                if (!isTriangleOfLeaf)
-                {
-                    beginWithBox();
-                }
-                if (pieces.kind != ModelPieces.INNER_NODE || !nextNearBox())
+                _next = pieces.listBegin;
+                _end = pieces.listEnd;
+                setBox();
+                if (pieces.kind != ModelPieces.INNER_NODE || !divide())
                 {
                     return true;
-                }
-                if (pieces.divide() && _areKept)
-                {
-                    chooseForLeaf();
                 }
             }
             return false;
         }
 
-        // Whether the current piece is tested against the triangles that are chosen for its leaf.
-        private function get isTriangleOfLeaf():Boolean
-        {
-            return _areKept && pieces.kind == ModelPieces.TRIANGLE;
-        }
-
-        /** Goes on to the next triangle near the piece. Returns false if there is none. */
+        /** Goes on to the next triangle near the piece: in its list, or if it has none, in the search. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            var isNear:Boolean = isTriangleOfLeaf ? nextNotInFront() : nextNearBox();
+            var isNear:Boolean = _end == 0 && findOneMore();
+            while (!isNear && _next < _end)
+            {
+                triangle = _lists[_next];
+                _next++;
+                isNear = isNearBox();
+            }
             if (isNear)
             {
                 // SquareSeparation may read the margin of any triangle: none is more than its slack
@@ -146,8 +127,8 @@ package starlogo.ground
             return isNear;
         }
 
-        // Begins to go through the triangles near the box of the current piece.
-        private function beginWithBox():void
+        // Sets the box to that of the current piece. If the piece has no list, begins to search for the triangles near it.
+        private function setBox():void
         {
             if (pieces.kind == ModelPieces.TRIANGLE)
             {
@@ -158,9 +139,12 @@ package starlogo.ground
             {
                 _box.copyFrom(pieces.box);
             }
-            if (!_areKept)
+            if (_end == 0)
             {
-                beginSearch();
+                search.box.copyFrom(_box);
+                search.shape = pieces.hasShapeInBox ? pieces.kernel.shape : null;
+                _source.begin(search);
+                _listedCount = 0;
             }
             if (!search.motion.isStill)
             {
@@ -168,51 +152,47 @@ package starlogo.ground
             }
         }
 
-        // Begins to find the triangles near the box of the current piece.
-        private function beginSearch():void
+        // Divides the current piece, an inner node, if a triangle is near it. Returns whether there is one.
+        private function divide():Boolean
         {
-            search.box.copyFrom(_box);
-            search.shape = pieces.hasShapeInBox ? pieces.kernel.shape : null;
-            _source.begin(search);
-            _areKept = pieces.kind == ModelPieces.INNER_NODE && _source.beginsAtCells();
-            _nodesAfterKept = pieces.nodesLeft;
-            _foundCount = 0;
-        }
-
-        // Chooses the triangles near the box of the current piece, a leaf.
-        private function chooseForLeaf():void
-        {
-            _next = 0;
-            _leafTriangleCount = 0;
-            while (nextNearBox())
+            var isSearched:Boolean = _end == 0;
+            var begin:int = _end;
+            var end:int = _end;
+            if (!nextTriangle())
             {
-                _leafTriangles[_leafTriangleCount] = triangle;
-                _leafTriangleCount++;
+                return false;
             }
+            // without a list, the pieces inside of it search themselves
+            if (!isSearched || _source.beginsAtCells())
+            {
+                do
+                {
+                    _lists[end] = triangle;
+                    end++;
+                    _listedCount = isSearched ? end : _listedCount;
+                }
+                while (nextTriangle());
+            }
+            pieces.divide(begin, end);
+            return true;
         }
 
-        // Goes on to the next triangle of those chosen for the leaf that the current piece, a triangle, is not all in front of.
-        private function nextNotInFront():Boolean
+        // Finds the next triangle of the search: those that it finds are near the box, but an inner node may be all in front of one.
+        private function findOneMore():Boolean
         {
-            while (_next < _leafTriangleCount)
+            if (_listedCount == _found.length)
             {
-                triangle = _leafTriangles[_next];
-                _next++;
-                if (!isInFront())
+                _found.push(new GroundTriangle());
+            }
+            triangle = _found[_listedCount];
+            while (_source.next(triangle))
+            {
+                triangle.setPlane();
+                if (pieces.kind != ModelPieces.INNER_NODE)
                 {
                     return true;
                 }
-            }
-            return false;
-        }
-
-        // Goes on to the next triangle near the box.
-        private function nextNearBox():Boolean
-        {
-            while (_next < _foundCount || findOneMore())
-            {
-                triangle = _found[_next];
-                _next++;
+                triangle.box.setToTriangle(triangle.corners);
                 if (isNearBox())
                 {
                     return true;
@@ -221,39 +201,20 @@ package starlogo.ground
             return false;
         }
 
-        // Finds one more triangle. Returns false if there is none.
-        private function findOneMore():Boolean
-        {
-            if (!_areKept)
-            {
-                _foundCount = _next = 0;
-            }
-            if (_foundCount == _found.length)
-            {
-                _found.push(new GroundTriangle());
-            }
-            if (!_source.next(_found[_foundCount]))
-            {
-                return false;
-            }
-            _found[_foundCount].prepare(_source);
-            _foundCount++;
-            return true;
-        }
-
-        // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane.
+        // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane. A triangle of the
+        // model may be wholly below the box of the triangle that it is deepest behind, so for it only the plane counts.
         private function isNearBox():Boolean
         {
             var box:GroundBox = _box;
             var other:GroundBox = triangle.box;
-            var maxDistance:Number = search.maxDistance;
+            var gap:Number = search.maxDistance + _source.slack;
             var x:Number = box.x - other.x;
             var y:Number = box.y - other.y;
             var z:Number = box.z - other.z;
-            var farX:Number = box.halfX + other.halfX + maxDistance;
-            var farY:Number = box.halfY + other.halfY + maxDistance;
-            var farZ:Number = box.halfZ + other.halfZ + maxDistance;
-            if (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY)
+            var farX:Number = box.halfX + other.halfX + gap;
+            var farY:Number = box.halfY + other.halfY + gap;
+            var farZ:Number = box.halfZ + other.halfZ + gap;
+            if (pieces.kind != ModelPieces.TRIANGLE && (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY))
             {
                 return false;
             }
@@ -263,23 +224,7 @@ package starlogo.ground
             y = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
             z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
             // a flat triangle has no plane
-            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > maxDistance - search.minDepth + _source.slack);
-        }
-
-        // Whether the current piece, a triangle of the model, is all in front of the current triangle's plane.
-        private function isInFront():Boolean
-        {
-            var corners:Vector.<Number> = pieces.corners;
-            var normal:Vector3D = triangle.plane.normal;
-            var motion:RelativeMotion = search.motion;
-            var least:Number = normal.x * corners[0] + normal.y * corners[1] + normal.z * corners[2];
-            var other:Number = normal.x * corners[3] + normal.y * corners[4] + normal.z * corners[5];
-            least = other < least ? other : least;
-            other = normal.x * corners[6] + normal.y * corners[7] + normal.z * corners[8];
-            least = other < least ? other : least;
-            var travel:Number = (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z) * motion.latestTime;
-            least = travel < 0 ? least + travel : least;
-            return least - triangle.plane.max > search.maxDistance - search.minDepth + pieces.shapeMargin + _source.slack;
+            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > gap - search.minDepth);
         }
 
         /** Finds the ground under a point of the current piece. Returns whether the point is at least this deep under it. */

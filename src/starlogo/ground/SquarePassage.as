@@ -16,13 +16,5 @@ package starlogo.ground
         /** Triangles between these heights count: where the box is then, or as near as the limits of the search say. */
         public var minHeight:Number = 0;
         public var maxHeight:Number = 0;
-
-        /** Becomes the whole motion until its latest time. The heights are left. */
-        public function reset(latest:Number):void
-        {
-            earliest = 0;
-            this.latest = latest;
-            squaredDistanceBeside = 0;
-        }
     }
 }

@@ -64,7 +64,8 @@ package starlogo.queries.motion
          */
         public function depenetrate(sweep:ShrunkSweep):void
         {
-            if (replaceByPlanes(sweep, false) && !pushOutOfShallow(sweep))
+            replaceByPlanes(sweep, false);
+            if (!pushOutOfShallow(sweep))
             {
                 replaceByPlanes(sweep, true);
             }
@@ -103,19 +104,7 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.values[i];
-                if (body.isOneWay(row) || !_shrunk.shrunkTouches(row, place))
-                {
-                    continue;
-                }
-                body.findSeparatingContact(row, place, _contact);
-                if (body.isShallow(row, _contact) || !_shrunk.bodyOverlaps(row, place))
-                {
-                    continue;
-                }
-                body.warnIfInside(row, _contact);
-                _contact.depth += _shrunk.clearance;
-                // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-                if (body.bodyOf(row).kind != ModelShape.TREE || _contact.depth <= body.fullBody.halfAlong(_contact))
+                if (!body.isOneWay(row) && _shrunk.shrunkTouches(row, place) && findDeepOverlap(row, place))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -125,6 +114,21 @@ package starlogo.queries.motion
                 }
             }
             return sum;
+        }
+
+        // Finds the contact for a push out of a row that the shrunk body touches at a place. Returns whether the overlap is deep, and the push is not too long.
+        private function findDeepOverlap(row:int, place:Vector3D):Boolean
+        {
+            var body:MovingBody = _shrunk.body;
+            body.findSeparatingContact(row, place, _contact);
+            if (body.isShallow(row, _contact) || !_shrunk.bodyOverlaps(row, place))
+            {
+                return false;
+            }
+            body.warnIfInside(row, _contact);
+            _contact.depth += _shrunk.clearance;
+            // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+            return body.bodyOf(row).kind != ModelShape.TREE || _contact.depth <= body.fullBody.halfAlong(_contact);
         }
 
         // Pushes the body out of the obstacles that the shrunk body overlaps. Returns whether it gets free. If an overlap is deep, or if the body is between two
@@ -201,27 +205,23 @@ package starlogo.queries.motion
         }
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
-        // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
-        private function replaceByPlanes(sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
+        // obstacles no longer, nor are one-way rows that the body passes.
+        private function replaceByPlanes(sweep:ShrunkSweep, alsoShallow:Boolean):void
         {
-            var obstacles:IntList = sweep.obstacles;
-            var isLeft:Boolean = false;
             var i:int = 0;
-            while (i < obstacles.count)
+            while (i < sweep.obstacles.count)
             {
-                var row:int = obstacles.values[i];
-                var isOverlapped:Boolean = _shrunk.shrunkTouches(row, sweep.start);
-                if (isOverlapped && (_shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
+                var row:int = sweep.obstacles.values[i];
+                if (_shrunk.shrunkTouches(row, sweep.start)
+                        && (_shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
                 {
-                    obstacles.remove(row);
+                    sweep.obstacles.remove(row);
                 }
                 else
                 {
-                    isLeft ||= isOverlapped;
                     i++;
                 }
             }
-            return isLeft;
         }
 
         // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body gets

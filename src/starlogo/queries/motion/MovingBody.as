@@ -178,7 +178,7 @@ package starlogo.queries.motion
                     // such long pushes come only from what is near the way, and that may be small
                     _search.inflate(reach, up, down);
                     collectRows(null);
-                    largest = largestExtent;
+                    largest = largestExtentAmong(rows);
                     searchAround();
                 }
                 _search.inflate(reach + ShrunkBody.SHALLOW * largest, up, down);
@@ -200,8 +200,8 @@ package starlogo.queries.motion
             return Math.max(extent, _seen.treeOfExtents().maxExtent);
         }
 
-        /** The largest extent of the body and its rows. */
-        public function get largestExtent():Number
+        /** The largest extent of the body and some rows. */
+        public function largestExtentAmong(rows:IntList):Number
         {
             var largest:Number = extent;
             for (var i:int = 0; i < rows.count; i++)
@@ -283,11 +283,10 @@ package starlogo.queries.motion
         public function findContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
-            tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
+            narrowPhase.pairTestsFor(fullBody, other).findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
             if (!isShallow(row, out))
             {
-                tests.separate(fullBody, other, RelativeMotion.NONE, out);
+                findSeparatingContact(row, place, out);
             }
         }
 

@@ -141,22 +141,17 @@ package starlogo.queries.motion
                 var rise:Number = rows.values[i] == walk.platformRow ? 0 : _seen.riseOf(rows.values[i]);
                 if (rise > lift)
                 {
-                    lift = Math.max(lift, findLiftOf(walk, rows.values[i], rise));
+                    // as the row sees it, the agent has come down by the rise. It is lifted to where the row stops this way down. The row does not stop it if
+                    // the agent was within the row before
+                    _rows.count = 0;
+                    _rows.add(rows.values[i]);
+                    _from.setTo(walk.place.x, walk.place.y, walk.place.z + rise);
+                    _motion.setTo(0, 0, -rise);
+                    var down:MotionResult = _slider.moveStraight(walk.body, _rows, _from, _motion);
+                    lift = down.hasContact ? Math.max(lift, down.place.z - walk.place.z) : lift;
                 }
             }
             return lift;
-        }
-
-        // Finds how far up a row that has risen lifts the agent. As the row sees it, the agent has come down by the rise. So it is lifted to where the row
-        // stops this way down. The row does not stop it if the agent was within the row before.
-        private function findLiftOf(walk:WalkState, row:int, rise:Number):Number
-        {
-            _rows.count = 0;
-            _rows.add(row);
-            _from.setTo(walk.place.x, walk.place.y, walk.place.z + rise);
-            _motion.setTo(0, 0, -rise);
-            var down:MotionResult = _slider.moveStraight(walk.body, _rows, _from, _motion);
-            return down.hasContact ? down.place.z - walk.place.z : 0;
         }
     }
 }

@@ -83,20 +83,12 @@ package starlogo.queries.motion
          */
         public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
         {
-            var extent:Number = body.extent;
-            var largest:Number = extent;
-            var cell:Number = 0;
+            var largest:Number = body.largestExtentAmong(rows);
+            // the ground is the last row if it is near
+            var last:Body = rows.count > 0 ? body.bodyOf(rows.values[rows.count - 1]) : null;
+            var cell:Number = last != null && last.kind == ModelShape.GROUND ? last.shape.grid.cellWidth : 0;
             this.body = body;
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                var other:Body = body.bodyOf(rows.values[i]);
-                if (other.kind == ModelShape.GROUND)
-                {
-                    cell = other.shape.grid.cellWidth;
-                }
-                largest = Math.max(largest, 2 * other.maxHalf);
-            }
-            slop = slopOf(extent, largest, from, cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            slop = slopOf(body.extent, largest, from, cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
             _maxShrink = shrinkOf(body.fullBody, slop + SHALLOW * largest);
             setShrink(shrinkOf(body.fullBody, slop));

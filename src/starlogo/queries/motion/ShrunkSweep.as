@@ -31,7 +31,7 @@ package starlogo.queries.motion
         public var shrunk:ShrunkBody = new ShrunkBody();
 
         /** Frees the shrunk body where a motion starts. Between motions it gets other bodies out of overlaps. Read only. */
-        public var depenetration:Depenetration;
+        public var depenetration:Depenetration = new Depenetration(shrunk);
 
         /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */
         public var start:Vector3D = new Vector3D();
@@ -54,12 +54,6 @@ package starlogo.queries.motion
         // A motion past a row, and the place of the body at its end.
         private var _relative:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
-
-        /** Begins without a motion. Call <code>begin()</code> first. */
-        public function ShrunkSweep()
-        {
-            depenetration = new Depenetration(shrunk);
-        }
 
         /**
          * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps. Afterwards the impact is what stops the
@@ -98,18 +92,12 @@ package starlogo.queries.motion
         {
             begin(body, rows, from, motion);
             out.startsPenetrating = planes.count > 0;
-            if (out.startsPenetrating && findCrossedPlane(motion))
+            var crossesPlane:Boolean = out.startsPenetrating && findCrossedPlane(motion);
+            if (out.startsPenetrating && !crossesPlane)
             {
-                out.fraction = 0;
+                findStoppingImpact(start, motion);
             }
-            else
-            {
-                if (out.startsPenetrating)
-                {
-                    findStoppingImpact(start, motion);
-                }
-                out.fraction = impact.hasRow ? findTouchTime(start, motion) : 1;
-            }
+            out.fraction = crossesPlane ? 0 : (impact.hasRow ? findTouchTime(start, motion) : 1);
             out.row = impact.row;
             out.contact.copyFrom(impact.contact);
         }

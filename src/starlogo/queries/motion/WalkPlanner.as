@@ -120,7 +120,7 @@ package starlogo.queries.motion
             var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + depthAfterFall(walk) / 2 + walk.carry.length + distance;
             range += maxFloorDistanceAmong(walk, body.largestExtentBound);
             body.collectRowsWithin(range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
-            walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtent);
+            walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtentAmong(body.rows));
         }
 
         // How far below the agent its floor may be, among rows of at most this extent.

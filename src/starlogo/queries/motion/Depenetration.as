@@ -315,7 +315,10 @@ package starlogo.queries.motion
             for (var i:int = 0; _shrunk.isFlat && !touches && i < 6; i++)
             {
                 var beside:Number = i < 3 ? -_shrunk.clearance / 2 : _shrunk.clearance / 2;
-                _touching.setTo(_pushed.x + (i % 3 == 2 ? beside : 0), _pushed.y + (i % 3 == 1 ? beside : 0), _pushed.z + (i % 3 == 0 ? beside : 0));
+                var x:Number = i % 3 == 2 ? beside : 0;
+                var y:Number = i % 3 == 1 ? beside : 0;
+                var z:Number = i % 3 == 0 ? beside : 0;
+                _touching.setTo(_pushed.x + x, _pushed.y + y, _pushed.z + z);
                 touches = _shrunk.bodyTouches(row, _touching);
             }
             return touches;

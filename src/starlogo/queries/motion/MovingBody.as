@@ -1,5 +1,5 @@
 // This folder moves a MovingBody among the rows of a table. Slider (slides) and TouchSweep (casts) do it by a ShrunkSweep for each motion, which owns a
-// ShrunkBody and a Depenetration of this. All ask the MovingBody. The head of AgentMotions says in which order to read a walk. Its words:
+// ShrunkBody, and the Depenetration that frees it. All ask the MovingBody. The head of AgentMotions says in which order to read a walk. Its words:
 // Shrunk body: the body, but smaller, at first by a slop on each side (ShrunkBody). Only what it meets stops the body, so the body may touch what it
 // stands on or runs along.
 // Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (Depenetration), a walk with pushes out of

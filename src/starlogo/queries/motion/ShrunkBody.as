@@ -47,7 +47,7 @@ package starlogo.queries.motion
 
         /**
          * The slop of the motion, in patches: how far the shrunk body's nearest faces are behind the body's own. They are less far behind if the body
-         * is slim, or if its least half-extent is less than two slops. It is as before if the shrunk body gets smaller. Read only.
+         * is slim, or if its least half-extent is less than two slops. It stays the same if the shrunk body gets smaller. Read only.
          */
         public var slop:Number = 0;
 
@@ -117,17 +117,17 @@ package starlogo.queries.motion
          */
         public function shrinkUntilFree(row:int, place:Vector3D):Boolean
         {
-            var before:Number = shrink;
+            var tried:Number = shrink;
             setShrink(_maxShrink);
             if (shrunkTouches(row, place))
             {
-                setShrink(before);
+                setShrink(tried);
                 return false;
             }
             do
             {
-                before = Math.min(SHRINK_GROWTH * before, _maxShrink);
-                setShrink(before);
+                tried = Math.min(SHRINK_GROWTH * tried, _maxShrink);
+                setShrink(tried);
             }
             while (shrink < _maxShrink && shrunkTouches(row, place));
             return true;

@@ -64,8 +64,7 @@ package starlogo.queries.motion
          */
         public function depenetrate(sweep:ShrunkSweep):void
         {
-            replaceByPlanes(sweep, false);
-            if (!pushOutOfShallow(sweep))
+            if (replaceByPlanes(sweep, false) && !pushOutOfShallow(sweep))
             {
                 replaceByPlanes(sweep, true);
             }
@@ -205,23 +204,26 @@ package starlogo.queries.motion
         }
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
-        // obstacles no longer, nor are one-way rows that the body passes.
-        private function replaceByPlanes(sweep:ShrunkSweep, alsoShallow:Boolean):void
+        // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
+        private function replaceByPlanes(sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
+            var isLeft:Boolean = false;
             var i:int = 0;
             while (i < sweep.obstacles.count)
             {
                 var row:int = sweep.obstacles.values[i];
-                if (_shrunk.shrunkTouches(row, sweep.start)
-                        && (_shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
+                var isOverlapped:Boolean = _shrunk.shrunkTouches(row, sweep.start);
+                if (isOverlapped && (_shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
                 {
                     sweep.obstacles.remove(row);
                 }
                 else
                 {
+                    isLeft ||= isOverlapped;
                     i++;
                 }
             }
+            return isLeft;
         }
 
         // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body gets

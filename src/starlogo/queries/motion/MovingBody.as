@@ -206,7 +206,7 @@ package starlogo.queries.motion
             var largest:Number = extent;
             for (var i:int = 0; i < rows.count; i++)
             {
-                largest = Math.max(largest, extentWith(bodyOf(rows.values[i])));
+                largest = Math.max(largest, 2 * bodyOf(rows.values[i]).maxHalf);
             }
             return largest;
         }
@@ -283,10 +283,11 @@ package starlogo.queries.motion
         public function findContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            narrowPhase.pairTestsFor(fullBody, other).findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
+            var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
+            tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
             if (!isShallow(row, out))
             {
-                findSeparatingContact(row, place, out);
+                tests.separate(fullBody, other, RelativeMotion.NONE, out);
             }
         }
 

@@ -63,8 +63,8 @@ package starlogo.queries.motion
         /** Whether the body is so flat that the shrunk body is hardly any thinner. Read only. */
         public var isFlat:Boolean = false;
 
-        // The largest shrink that the motion may have. With it the shrunk body is free of every shallow overlap.
-        private var _maxShrink:Number = 0;
+        // How much its least half-extent may lose on this motion. With it the shrunk body is free of every shallow overlap.
+        private var _maxLoss:Number = 0;
 
         // The shrunk body where it was asked for last, and this place.
         private var _shrunk:Body = new Body();
@@ -90,7 +90,7 @@ package starlogo.queries.motion
             this.body = body;
             slop = slopOf(body.extent, largest, from, cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
-            _maxShrink = shrinkOf(body.fullBody, slop + SHALLOW * largest);
+            _maxLoss = slop + SHALLOW * largest;
             setShrink(shrinkOf(body.fullBody, slop));
             isFlat = shrink * body.fullBody.minHalf < FLAT_SLOPS * slop;
         }
@@ -118,7 +118,8 @@ package starlogo.queries.motion
         public function shrinkUntilFree(row:int, place:Vector3D):Boolean
         {
             var tried:Number = shrink;
-            setShrink(_maxShrink);
+            var most:Number = shrinkOf(body.fullBody, _maxLoss);
+            setShrink(most);
             if (shrunkTouches(row, place))
             {
                 setShrink(tried);
@@ -126,10 +127,10 @@ package starlogo.queries.motion
             }
             do
             {
-                tried = Math.min(SHRINK_GROWTH * tried, _maxShrink);
+                tried = Math.min(SHRINK_GROWTH * tried, most);
                 setShrink(tried);
             }
-            while (shrink < _maxShrink && shrunkTouches(row, place));
+            while (shrink < most && shrunkTouches(row, place));
             return true;
         }
 

@@ -82,7 +82,7 @@ package starlogo.queries
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
             var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            var hits:RayHits = collect(collector);
+            var hits:RayHits = collect(collector, false);
             return hits.end(collector) == 0 ? null : hits.writeHit(0, hit || new RayHit());
         }
 
@@ -114,7 +114,7 @@ package starlogo.queries
         {
             var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var hits:RayHits = allSurfaces ? collectSurfaces(collector) : collect(collector);
+            var hits:RayHits = collect(collector, allSurfaces);
             _hitPool.resize(listed, hits.end(collector));
             for (var i:int = 0; i < listed.length; i++)
             {
@@ -205,33 +205,21 @@ package starlogo.queries
             return collector;
         }
 
-        // Finds the rows that the ray meets. Returns how it meets them.
-        private function collect(collector:Collector):RayHits
+        // Finds the rows that the ray meets. Returns the first surface of each that it crosses, or all of them.
+        private function collect(collector:Collector, allSurfaces:Boolean):RayHits
         {
             var hits:RayHits = RayHits(_rayHitsPool.top);
             hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
-                if (_rowRays.findRayEntry(row, _ray, _entry))
+                if (allSurfaces ? _rowSurfaces.findSurfaces(row, _ray, hits) : _rowRays.findRayEntry(row, _ray, _entry))
                 {
-                    collector.add(row, _entry.distance);
-                    hits.add(row, _ray, _entry);
-                    _ray.to = collector.limit;
-                }
-            }
-            return hits;
-        }
-
-        // Finds the rows that the ray meets. Returns all surfaces of them that it crosses.
-        private function collectSurfaces(collector:Collector):RayHits
-        {
-            var hits:RayHits = RayHits(_rayHitsPool.top);
-            hits.clear();
-            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
-            {
-                if (_rowSurfaces.findSurfaces(row, _ray, hits))
-                {
+                    if (!allSurfaces)
+                    {
+                        hits.add(row, _ray, _entry);
+                    }
                     collector.add(row, hits.firstDistanceOf(row));
+                    _ray.to = collector.limit;
                 }
             }
             return hits;

@@ -7,7 +7,6 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.copyVector;
-    import starlogo.queries.motion.Depenetration;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.SlideLimits;
@@ -37,54 +36,53 @@ package starlogo.queries
         private var _seen:SeenAgents;
 
         private var _slider:Slider = new Slider();
-        private var _depenetration:Depenetration = new Depenetration();
         private var _planner:WalkPlanner;
         private var _sweep:TouchSweep = new TouchSweep();
         private var _writer:HitWriter;
         private var _hitPool:HitPool = new HitPool(ShapeHit);
 
-        // The walk of a question. If the question is another one, only the walk's body takes part.
-        private var _walkPool:NestedPool;
+        // The body that a question moves. A walk has a body of its own.
+        private var _bodyPool:NestedPool;
 
         /** @param seen the agents that the questions are about */
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
             _writer = new HitWriter(seen);
-            _planner = new WalkPlanner(seen);
-            _walkPool = new NestedPool(seen, WalkState);
+            _planner = new WalkPlanner(seen, _slider);
+            _bodyPool = new NestedPool(seen, MovingBody);
         }
 
         /** See AgentMotions.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(currentWalk().body.setToStructure(structure).aim(dx, dy, dz), filter, hit);
+            return cast(currentBody().setToStructure(structure).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(currentWalk().body.setToStructure(structure).aim(dx, dy, dz), filter, out);
+            return castAll(currentBody().setToStructure(structure).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(currentWalk().body.setToCastAgent(agent).aim(dx, dy, dz), filter, hit);
+            return cast(currentBody().setToCastAgent(agent).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(currentWalk().body.setToCastAgent(agent).aim(dx, dy, dz), filter, out);
+            return castAll(currentBody().setToCastAgent(agent).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = currentWalk().body.setToAgent(agent).aim(dx, dy, dz);
+            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             var first:MotionResult = findTouches(body, filter);
             if (first.hasContact)
             {
@@ -108,12 +106,12 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits = null):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = currentWalk().body.setToAgent(agent).aim(dx, dy, dz);
+            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             limits ||= SlideLimits.NONE;
             var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, limits);
-            _depenetration.restoreClearance(body, slid.place);
-            if (limits.keepsHeight)
+            _slider.sweep.depenetration.restoreClearance(body, slid.place);
+            if (limits === SlideLimits.HORIZONTAL)
             {
                 // the clearance leads off slopes by their normals
                 slid.place.z = body.from.z;
@@ -126,14 +124,13 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:WalkState = currentWalk();
-            var stands:Boolean = _planner.plan(agent, dx, dy, options || DEFAULT_OPTIONS, walk);
+            var walk:WalkState = _planner.plan(agent, dx, dy, options || DEFAULT_OPTIONS);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
-            var footing:Footing = writeFooting(walk, stands, out || new Footing());
+            var footing:Footing = writeFooting(walk, out || new Footing());
             var link:PlatformLink = agent.platformLink ||= new PlatformLink();
             link.platform = null;
-            if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
+            if (walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
                 var platform:Body = _seen.table.bodyOf(walk.floorRow);
                 link.setTo(agent, footing.on, platform.placement, _seen.table.revisions[walk.floorRow]);
@@ -150,27 +147,26 @@ package starlogo.queries
          */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            var walk:WalkState = currentWalk();
-            return writeFooting(walk, _planner.plan(agent, 0, 0, options, walk), out);
+            return writeFooting(_planner.plan(agent, 0, 0, options), out);
         }
 
         // Writes how the agent stands where a walk has ended. Returns the footing.
-        private function writeFooting(walk:WalkState, stands:Boolean, out:Footing):Footing
+        private function writeFooting(walk:WalkState, out:Footing):Footing
         {
             var agents:Vector.<Agent> = _seen.table.listed.agentsByRow;
-            out.stands = stands;
-            out.on = stands ? agents[walk.floorRow] : null;
+            out.stands = walk.floorRow >= 0;
+            out.on = out.stands ? agents[walk.floorRow] : null;
             out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
             out.part = walk.part;
             out.pushed = walk.pushed;
-            copyVector(stands ? walk.floorNormal : UP, out.normal);
+            copyVector(out.stands ? walk.floorNormal : UP, out.normal);
             return out;
         }
 
-        // The walk of the question that begins now.
-        private function currentWalk():WalkState
+        // The body of the question that begins now.
+        private function currentBody():MovingBody
         {
-            return WalkState(_walkPool.top);
+            return MovingBody(_bodyPool.top);
         }
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit

@@ -37,23 +37,30 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
-        // The shrunk body that stands, with its tolerances.
-        private var _shrunk:ShrunkBody = new ShrunkBody();
+        // The body that is pushed, with the tolerances of its motion.
+        private var _shrunk:ShrunkBody;
 
-        // The pushes off what the body touches.
-        private var _pushesOff:ContactList = new ContactList();
-
-        // The contact of an overlap, or of this push.
+        // The contact of an overlap, or of the next push.
         private var _contact:ContactPoint = new ContactPoint();
 
-        // A place that is tried: where the body touches a row.
-        private var _tried:Vector3D = new Vector3D();
+        // Where the pushes have led, and the contact of the last one. Its normal is 0 before the first.
+        private var _pushed:Vector3D = new Vector3D();
+        private var _last:ContactPoint = new ContactPoint();
+
+        // Where the body touches a row, for a push off that row.
+        private var _touching:Vector3D = new Vector3D();
+
+        /** @param shrunk the shrunk body that is freed. A motion has begun it; restoreClearance and measureOverlaps begin it themselves */
+        public function Depenetration(shrunk:ShrunkBody)
+        {
+            _shrunk = shrunk;
+        }
 
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
          *
-         * @param sweep the motion. It receives the planes of overlaps that stay. A row with a plane leaves its obstacles. Its start changes if the body is
-         *     pushed
+         * @param sweep the motion of the shrunk body. It receives the planes of overlaps that stay, and the pushes. A row with a plane leaves its obstacles.
+         *     Its start changes if the body is pushed
          */
         public function depenetrate(sweep:ShrunkSweep):void
         {
@@ -61,10 +68,10 @@ package starlogo.queries.motion
             {
                 replaceByPlanes(sweep, true);
             }
-            if (sweep.shrunk.isFlat && sweep.planes.count == 0)
+            if (_shrunk.isFlat && sweep.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOffTouches(sweep.shrunk, sweep.obstacles, sweep.start);
+                pushOffTouches(sweep.obstacles, sweep.start);
             }
         }
 
@@ -77,7 +84,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            pushOffTouches(_shrunk, body.rows, place);
+            pushOffTouches(body.rows, place);
         }
 
         /**
@@ -96,19 +103,7 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.values[i];
-                if (body.isOneWay(row) || !_shrunk.shrunkTouches(row, place))
-                {
-                    continue;
-                }
-                body.findContact(row, place, true, _contact);
-                if (body.isShallow(row, _contact) || !_shrunk.bodyOverlaps(row, place))
-                {
-                    continue;
-                }
-                body.warnIfInside(row, _contact);
-                _contact.depth += _shrunk.clearance;
-                // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-                if (body.bodyOf(row).kind != ModelShape.TREE || _contact.depth <= body.fullBody.halfAlong(_contact))
+                if (!body.isOneWay(row) && _shrunk.shrunkTouches(row, place) && findDeepOverlap(row, place))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -120,81 +115,107 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body out of the obstacles that the shrunk body overlaps. Returns whether it is free then.
+        // Finds the contact for a push out of a row that the shrunk body touches at a place. Returns whether the overlap is deep, and the push is not too long.
+        private function findDeepOverlap(row:int, place:Vector3D):Boolean
+        {
+            var body:MovingBody = _shrunk.body;
+            body.findSeparatingContact(row, place, _contact);
+            if (body.isShallow(row, _contact) || !_shrunk.bodyOverlaps(row, place))
+            {
+                return false;
+            }
+            body.warnIfInside(row, _contact);
+            _contact.depth += _shrunk.clearance;
+            // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+            return body.bodyOf(row).kind != ModelShape.TREE || _contact.depth <= body.fullBody.halfAlong(_contact);
+        }
+
+        // Pushes the body out of the obstacles that the shrunk body overlaps. Returns whether it gets free. If an overlap is deep, or if the body is between two
+        // rows, it stays where it is, and there are no pushes.
         private function pushOutOfShallow(sweep:ShrunkSweep):Boolean
         {
-            return pushInRounds(sweep.shrunk, sweep.obstacles, sweep.start, false, sweep.pushes);
-        }
-
-        // Pushes a body a clearance off the rows that it touches, if it gets free.
-        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
-        {
-            pushInRounds(shrunk, rows, place, true, _pushesOff);
-        }
-
-        // Pushes a body away from one row after the other, in rounds, until a round needs no push. Returns whether it is free then. If not, it is where it was,
-        // and there are no pushes. Its callers say what it is pushed away from.
-        private function pushInRounds(shrunk:ShrunkBody, rows:IntList, place:Vector3D, offTouches:Boolean, pushes:ContactList):Boolean
-        {
-            var last:ContactPoint = null;
+            beginPushes(sweep.start);
             var isFree:Boolean = false;
-            var x:Number = place.x;
-            var y:Number = place.y;
-            var z:Number = place.z;
-            pushes.clear();
+            for (var round:int = 0; !isFree; round++)
+            {
+                isFree = true;
+                for (var i:int = 0; i < sweep.obstacles.count; i++)
+                {
+                    var row:int = sweep.obstacles.values[i];
+                    if (_shrunk.shrunkTouches(row, _pushed))
+                    {
+                        findContactOfPush(row, _pushed, round);
+                        if (!_shrunk.body.isShallow(row, _contact) || !tryPush(_contact.depth + _shrunk.clearance, round))
+                        {
+                            sweep.pushes.clear();
+                            return false;
+                        }
+                        sweep.pushes.add(_contact, row);
+                        isFree = false;
+                    }
+                }
+            }
+            sweep.start.copyFrom(_pushed);
+            return true;
+        }
+
+        // Pushes the body a clearance off the rows that it touches. If it is between two of them, it stays where it is.
+        private function pushOffTouches(rows:IntList, place:Vector3D):void
+        {
+            beginPushes(place);
+            var isFree:Boolean = false;
             for (var round:int = 0; !isFree; round++)
             {
                 isFree = true;
                 for (var i:int = 0; i < rows.count; i++)
                 {
-                    var row:int = rows.values[i];
-                    var length:Number = offTouches ? findPushOff(shrunk, row, place, round, last) : findPushOut(shrunk, row, place, round, last);
-                    if (!(length > 0))
+                    var length:Number = findPushOff(rows.values[i], round);
+                    if (length > 0)
                     {
-                        continue;
+                        if (!tryPush(length, round))
+                        {
+                            return;
+                        }
+                        isFree = false;
                     }
-                    // a flat body may be led back in the first round: of the two ways out of a sheet, one may lead into the next row
-                    var isBetween:Boolean = leadsBack(_contact, last) && !(shrunk.isFlat && round == 0);
-                    if (length == Infinity || round == MAX_ROUNDS || isBetween)
-                    {
-                        place.setTo(x, y, z);
-                        pushes.clear();
-                        return false;
-                    }
-                    _contact.movePoint(place, length);
-                    last = pushes.contacts[pushes.add(_contact, row)];
-                    isFree = false;
                 }
             }
-            return true;
+            place.copyFrom(_pushed);
         }
 
-        // Finds the contact for a push out of a row. Returns the length of the push: 0 if the shrunk body does not touch the row, Infinity if the overlap is not
-        // shallow.
-        private function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint):Number
+        private function beginPushes(place:Vector3D):void
         {
-            if (!shrunk.shrunkTouches(row, place))
+            _pushed.copyFrom(place);
+            _last.setNormal(0, 0, 0);
+        }
+
+        // Pushes the body along the contact. Returns whether it does: not if the body is between two rows, or after too many rounds.
+        private function tryPush(length:Number, round:int):Boolean
+        {
+            // a flat body may be led back in the first round: of the two ways out of a sheet, one may lead into the next row
+            var isBetween:Boolean = leadsBack() && !(_shrunk.isFlat && round == 0);
+            if (isBetween || round == MAX_ROUNDS)
             {
-                return 0;
+                return false;
             }
-            findContactOfPush(shrunk, row, place, round, last);
-            return shrunk.body.isShallow(row, _contact) ? _contact.depth + shrunk.clearance : Infinity;
+            _contact.movePoint(_pushed, length);
+            _last.copyFrom(_contact);
+            return true;
         }
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
         // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
         private function replaceByPlanes(sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var obstacles:IntList = sweep.obstacles;
             var isLeft:Boolean = false;
             var i:int = 0;
-            while (i < obstacles.count)
+            while (i < sweep.obstacles.count)
             {
-                var row:int = obstacles.values[i];
-                var isOverlapped:Boolean = sweep.shrunk.shrunkTouches(row, sweep.start);
-                if (isOverlapped && (sweep.shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
+                var row:int = sweep.obstacles.values[i];
+                var isOverlapped:Boolean = _shrunk.shrunkTouches(row, sweep.start);
+                if (isOverlapped && (_shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
                 {
-                    obstacles.remove(row);
+                    sweep.obstacles.remove(row);
                 }
                 else
                 {
@@ -205,86 +226,102 @@ package starlogo.queries.motion
             return isLeft;
         }
 
-        // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body becomes
-        // narrower, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
+        // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body gets
+        // smaller, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
         // the row, not the body. Returns whether the plane stands.
         private function addPlane(row:int, sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var shrunk:ShrunkBody = sweep.shrunk;
-            shrunk.body.findContact(row, sweep.start, alsoShallow, _contact);
-            var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
-            if (!isCounted || shrunk.tryNarrow(row, sweep.start) || !shrunk.bodyOverlaps(row, sweep.start))
+            var body:MovingBody = _shrunk.body;
+            body.findContact(row, sweep.start, _contact);
+            if (body.isShallow(row, _contact))
+            {
+                if (!alsoShallow)
+                {
+                    return false;
+                }
+                body.findSeparatingContact(row, sweep.start, _contact);
+            }
+            if (_shrunk.shrinkUntilFree(row, sweep.start) || !_shrunk.bodyOverlaps(row, sweep.start))
             {
                 return false;
             }
             sweep.planes.add(_contact, row);
-            shrunk.body.warnIfInside(row, _contact);
+            body.warnIfInside(row, _contact);
             return true;
         }
 
         // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.
-        private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint):Number
+        private function findPushOff(row:int, round:int):Number
         {
-            var body:MovingBody = shrunk.body;
+            var body:MovingBody = _shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _tried) || body.passesOneWayAt(row, _tried, _contact)
-                    || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
+            if (!findTouchingPlace(row) || body.passesOneWayAt(row, _touching, _contact) || (!_shrunk.isFlat && _shrunk.shrunkTouches(row, _pushed)))
             {
                 return 0;
             }
-            findContactOfPush(shrunk, row, _tried, round, last);
-            var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
+            findContactOfPush(row, _touching, round);
+            var most:Number = SLOPS_OF_TOUCH * _shrunk.slop;
             if (_contact.depth > most && !body.isShallow(row, _contact))
             {
                 return 0;
             }
-            // how far the body's own place, at which a flat body does not touch the row, is along the normal
-            var shift:Number = _contact.normalX * (place.x - _tried.x) + _contact.normalY * (place.y - _tried.y) + _contact.normalZ * (place.z - _tried.z);
-            if (shift < 0)
+            var toX:Number = _pushed.x - _touching.x;
+            var toY:Number = _pushed.y - _touching.y;
+            var toZ:Number = _pushed.z - _touching.z;
+            // how far the body is along the normal already
+            var ahead:Number = _contact.normalX * toX + _contact.normalY * toY + _contact.normalZ * toZ;
+            if (ahead < 0)
             {
                 // the body is so thin that the shortest way out there leads to the other side of the row: it goes on from the row along the axis
-                _contact.setNormal(place.x - _tried.x, place.y - _tried.y, place.z - _tried.z);
+                _contact.setNormal(toX, toY, toZ);
                 _contact.normalise();
-                return shrunk.clearance;
+                return _shrunk.clearance;
             }
-            return Math.min(_contact.depth, most) - shift + shrunk.clearance;
+            return Math.min(_contact.depth, most) - ahead + _shrunk.clearance;
         }
 
-        // Finds the contact with a row that the body touches at a place. In the first rounds the other kind of contact takes its place if it is useless: it
-        // leads back against the last push, or if the body is flat, it is not shallow.
-        private function findContactOfPush(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint):void
+        // Finds the contact for a push away from a row that the body touches at a place. From a few rounds on it separates the two. Before, it need not if that
+        // leads on from the last push. The contact of a flat body with a part that is as flat may point to either side, so it separates, if that is a short way.
+        private function findContactOfPush(row:int, place:Vector3D, round:int):void
         {
-            // the contact of a flat body with a part that is as flat may point to either side
-            var isSeparating:Boolean = shrunk.isFlat || round >= FIRST_SEPARATING_ROUND;
-            shrunk.body.findContact(row, place, isSeparating, _contact);
-            // exactly in the planes of a row, the way out of all its parts may be long
-            var isUseless:Boolean = isSeparating ? !shrunk.body.isShallow(row, _contact) : leadsBack(_contact, last);
-            if (isUseless && round < FIRST_SEPARATING_ROUND)
+            var body:MovingBody = _shrunk.body;
+            var mustSeparate:Boolean = round >= FIRST_SEPARATING_ROUND;
+            if (!mustSeparate && !_shrunk.isFlat)
             {
-                shrunk.body.findContact(row, place, !isSeparating, _contact);
+                body.findContact(row, place, _contact);
+                if (!leadsBack())
+                {
+                    return;
+                }
+            }
+            body.findSeparatingContact(row, place, _contact);
+            if (!mustSeparate && _shrunk.isFlat && !body.isShallow(row, _contact))
+            {
+                // exactly in the planes of a row, the way out of all its parts may be long
+                body.findContact(row, place, _contact);
             }
         }
 
-        // Whether a push leads back against the last one, which is null at first. Then the body is between two rows.
-        private static function leadsBack(push:ContactPoint, last:ContactPoint):Boolean
+        // Whether a push along the contact leads back against the last one. Then the body is between two rows.
+        private function leadsBack():Boolean
         {
-            return last != null && push.normalX * last.normalX + push.normalY * last.normalY + push.normalZ * last.normalZ < OPPOSITE;
+            return _contact.normalX * _last.normalX + _contact.normalY * _last.normalY + _contact.normalZ * _last.normalZ < OPPOSITE;
         }
 
-        // Finds where the body touches a row: at its place, or if it is flat, half of a clearance beside its place along an axis. Returns whether it
-        // touches the row at one of these.
-        private static function findTouchingPlace(shrunk:ShrunkBody, row:int, place:Vector3D, touching:Vector3D):Boolean
+        // Finds where the body touches a row: where the pushes have led, or if the body is flat, half of a clearance beside this along an axis. Returns whether
+        // it touches the row at one of these.
+        private function findTouchingPlace(row:int):Boolean
         {
-            touching.copyFrom(place);
-            var touches:Boolean = shrunk.bodyTouches(row, touching);
-            for (var i:int = 0; shrunk.isFlat && !touches && i < 6; i++)
+            _touching.copyFrom(_pushed);
+            var touches:Boolean = _shrunk.bodyTouches(row, _touching);
+            for (var i:int = 0; _shrunk.isFlat && !touches && i < 6; i++)
             {
-                var beside:Number = i < 3 ? -shrunk.clearance / 2 : shrunk.clearance / 2;
+                var beside:Number = i < 3 ? -_shrunk.clearance / 2 : _shrunk.clearance / 2;
                 var x:Number = i % 3 == 2 ? beside : 0;
                 var y:Number = i % 3 == 1 ? beside : 0;
                 var z:Number = i % 3 == 0 ? beside : 0;
-                touching.setTo(place.x + x, place.y + y, place.z + z);
-                touches = shrunk.bodyTouches(row, touching);
+                _touching.setTo(_pushed.x + x, _pushed.y + y, _pushed.z + z);
+                touches = _shrunk.bodyTouches(row, _touching);
             }
             return touches;
         }

@@ -16,13 +16,6 @@ package starlogo.queries.motion
         /** When the shrunk body meets it, as a fraction of the motion. Without a row, this and all below mean nothing. */
         public var time:Number = Infinity;
 
-        /**
-         * The time that decides which row is met first. It is a clearance later than <code>time</code> if the contact does not point against the
-         * motion, unless <code>time</code> is 0. So if a corner of the shrunk body enters a floor exactly between two tiles, along the side of one of
-         * them, the top of the other stops it.
-         */
-        public var orderTime:Number = Infinity;
-
         /** The contact of the shrunk body at <code>time</code>. Its normal points against the motion. */
         public var contact:ContactPoint = new ContactPoint();
 
@@ -40,7 +33,6 @@ package starlogo.queries.motion
         {
             row = other.row;
             time = other.time;
-            orderTime = other.orderTime;
             contact.copyFrom(other.contact);
             isNormalFallback = other.isNormalFallback;
         }

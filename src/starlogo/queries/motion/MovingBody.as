@@ -1,6 +1,6 @@
-// This folder moves a MovingBody among the rows of a table. Slider (slides) and TouchSweep (casts) call ShrunkSweep, which calls ShrunkBody and
-// Depenetration. All ask the MovingBody. The head of AgentMotions says in which order to read a walk. Its words:
-// Shrunk body: the body, but smaller by an inset, at first a slop (ShrunkBody). Only what it meets stops the body, so the body may touch what it
+// This folder moves a MovingBody among the rows of a table. Slider (slides) and TouchSweep (casts) do it by a ShrunkSweep for each motion, which owns a
+// ShrunkBody, and the Depenetration that frees it. All ask the MovingBody. The head of AgentMotions says in which order to read a walk. Its words:
+// Shrunk body: the body, but smaller, at first by a slop on each side (ShrunkBody). Only what it meets stops the body, so the body may touch what it
 // stands on or runs along.
 // Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (Depenetration), a walk with pushes out of
 // deep ones too.
@@ -178,7 +178,7 @@ package starlogo.queries.motion
                     // such long pushes come only from what is near the way, and that may be small
                     _search.inflate(reach, up, down);
                     collectRows(null);
-                    largest = largestExtent;
+                    largest = largestExtentAmong(rows);
                     searchAround();
                 }
                 _search.inflate(reach + ShrunkBody.SHALLOW * largest, up, down);
@@ -200,13 +200,13 @@ package starlogo.queries.motion
             return Math.max(extent, _seen.treeOfExtents().maxExtent);
         }
 
-        /** The largest extent of the body and its rows. */
-        public function get largestExtent():Number
+        /** The largest extent of the body and some rows. */
+        public function largestExtentAmong(rows:IntList):Number
         {
             var largest:Number = extent;
             for (var i:int = 0; i < rows.count; i++)
             {
-                largest = Math.max(largest, extentWith(bodyOf(rows.values[i])));
+                largest = Math.max(largest, 2 * bodyOf(rows.values[i]).maxHalf);
             }
             return largest;
         }
@@ -279,21 +279,28 @@ package starlogo.queries.motion
             return Math.max(2 * other.maxHalf, extent);
         }
 
-        /**
-         * Finds a contact of the full body with a row that it touches when it stands at a place.
-         *
-         * @param isSeparating whether the contact must separate the two. The ground can be floor and wall at once, and a contact with one does not lead away
-         *     from the other. Otherwise a shallow contact may separate only two of their parts
-         */
-        public function findContact(row:int, place:Vector3D, isSeparating:Boolean, out:ContactPoint):void
+        /** Finds a contact of the full body with a row that it touches when it stands at a place. If it is shallow, it may separate only two of their parts. */
+        public function findContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
             var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
             tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
-            if (isSeparating || !isShallow(row, out))
+            if (!isShallow(row, out))
             {
                 tests.separate(fullBody, other, RelativeMotion.NONE, out);
             }
+        }
+
+        /**
+         * Finds a contact that separates the full body from a row that it touches when it stands at a place. The ground can be floor and wall at once, and a
+         * contact with one does not lead away from the other.
+         */
+        public function findSeparatingContact(row:int, place:Vector3D, out:ContactPoint):void
+        {
+            var other:Body = bodyOf(row);
+            var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
+            tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
+            tests.separate(fullBody, other, RelativeMotion.NONE, out);
         }
 
         /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */
@@ -313,7 +320,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findContact(row, place, true, contact);
+            findSeparatingContact(row, place, contact);
             return !isShallow(row, contact) || passesOneWay(row, contact);
         }
 

@@ -32,9 +32,6 @@ package starlogo.queries.motion
         private var _from:Vector3D = new Vector3D();
         private var _motion:Vector3D = new Vector3D();
 
-        // Tells whether the platform is in the way.
-        private var _sweep:ShrunkSweep = new ShrunkSweep();
-
         /**
          * @param seen has the rows
          * @param slider slides the agent along others
@@ -48,10 +45,9 @@ package starlogo.queries.motion
         /**
          * Finds the platform that carries an agent: it has moved since the last walk, and the options do not exclude it.
          *
-         * @param walk has the options, and receives how the platform carries the agent
-         * @return the platform's row; -1 if none carries the agent
+         * @param walk has the options, and receives the platform's row, and how the platform carries the agent
          */
-        public function find(agent:Agent, walk:WalkState):int
+        public function find(agent:Agent, walk:WalkState):void
         {
             var link:PlatformLink = agent.platformLink;
             var row:int = link != null && walk.options.carried && link.carries(agent) ? _seen.rowOf(link.platform) : -1;
@@ -60,12 +56,13 @@ package starlogo.queries.motion
                 walk.carryTurn = findMotion(link, _seen.table.bodyOf(row), walk.carry);
                 if ((walk.carryTurn != 0 || walk.carry.length > 0) && isAdmitted(row, agent, walk.options.filter))
                 {
-                    return row;
+                    walk.platformRow = row;
+                    return;
                 }
             }
+            walk.platformRow = -1;
             walk.carry.setTo(0, 0, 0);
             walk.carryTurn = 0;
-            return -1;
         }
 
         // Whether the filter of an agent that walks admits a row. Its accepts is called.
@@ -108,17 +105,15 @@ package starlogo.queries.motion
         /**
          * Carries the agent of a walk with its platform. The agent slides along others that are in its way, but not into the platform. The platform has
          * moved already, so only the rest of its way, which the agent misses, can lead into it.
-         *
-         * @param platformRow the row of the platform
          */
-        public function carry(walk:WalkState, platformRow:int):void
+        public function carry(walk:WalkState):void
         {
-            _rows.copyExcept(walk.body.rows, platformRow);
+            _rows.copyExcept(walk.body.rows, walk.platformRow);
             var end:MotionResult = _slider.slide(walk.body, _rows, walk.place, walk.carry, SlideLimits.NONE);
-            if (end.fraction < 1 && leadsIntoPlatform(walk, platformRow, end.place))
+            if (end.fraction < 1 && leadsIntoPlatform(walk, end.place))
             {
                 var straight:MotionResult = _slider.moveStraight(walk.body, _rows, walk.place, walk.carry);
-                if (!leadsIntoPlatform(walk, platformRow, straight.place))
+                if (!leadsIntoPlatform(walk, straight.place))
                 {
                     end = straight;
                 }
@@ -127,45 +122,36 @@ package starlogo.queries.motion
         }
 
         // Whether the way from where the platform would carry the agent to where the agent comes leads into the platform.
-        private function leadsIntoPlatform(walk:WalkState, platformRow:int, place:Vector3D):Boolean
+        private function leadsIntoPlatform(walk:WalkState, place:Vector3D):Boolean
         {
             _from.copyFrom(walk.place);
             _from.incrementBy(walk.carry);
             _motion.copyFrom(place);
             _motion.decrementBy(_from);
-            return _sweep.meets(walk.body, platformRow, _from, _motion);
+            return _slider.sweep.meets(walk.body, walk.platformRow, _from, _motion);
         }
 
-        /**
-         * Finds how far up one-way rows lift the agent of a walk: those that it was above before they rose into it.
-         *
-         * @param platformRow the row that carries the agent already; -1 for none
-         */
-        public function findLift(walk:WalkState, platformRow:int):Number
+        /** Finds how far up one-way rows lift the agent of a walk: those that it was above before they rose into it. Its platform carries it already. */
+        public function findLift(walk:WalkState):Number
         {
             var lift:Number = 0;
             var rows:IntList = walk.body.rows;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var rise:Number = rows.values[i] == platformRow ? 0 : _seen.riseOf(rows.values[i]);
+                var rise:Number = rows.values[i] == walk.platformRow ? 0 : _seen.riseOf(rows.values[i]);
                 if (rise > lift)
                 {
-                    lift = Math.max(lift, findLiftOf(walk, rows.values[i], rise));
+                    // as the row sees it, the agent has come down by the rise. It is lifted to where the row stops this way down. The row does not stop it if
+                    // the agent was within the row before
+                    _rows.count = 0;
+                    _rows.add(rows.values[i]);
+                    _from.setTo(walk.place.x, walk.place.y, walk.place.z + rise);
+                    _motion.setTo(0, 0, -rise);
+                    var down:MotionResult = _slider.moveStraight(walk.body, _rows, _from, _motion);
+                    lift = down.hasContact ? Math.max(lift, down.place.z - walk.place.z) : lift;
                 }
             }
             return lift;
-        }
-
-        // Finds how far up a row that has risen lifts the agent. As the row sees it, the agent has come down by the rise. So it is lifted to where the row
-        // stops this way down. The row does not stop it if the agent was within the row before.
-        private function findLiftOf(walk:WalkState, row:int, rise:Number):Number
-        {
-            _rows.count = 0;
-            _rows.add(row);
-            _from.setTo(walk.place.x, walk.place.y, walk.place.z + rise);
-            _motion.setTo(0, 0, -rise);
-            var down:MotionResult = _slider.moveStraight(walk.body, _rows, _from, _motion);
-            return down.hasContact ? down.place.z - walk.place.z : 0;
         }
     }
 }

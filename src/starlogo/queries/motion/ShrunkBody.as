@@ -11,8 +11,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * A body on one motion, made smaller by an inset about the middle of its extents, and the tolerances of this motion. So it does not touch what the
-     * full body only touches.
+     * A body on one motion, made smaller about the middle of its extents, and the tolerances of this motion. So it does not touch what the full
+     * body only touches.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -35,8 +35,8 @@ package starlogo.queries.motion
         private static const MAX_SLIMNESS:Number = 10;
         private static const MAX_SHRINK:Number = 0.5;
 
-        // The factor by which the inset grows until the shrunk body is free.
-        private static const NARROWING:Number = 4;
+        // The factor by which the shrink grows until the shrunk body is free.
+        private static const SHRINK_GROWTH:Number = 4;
 
         // A body is flat if the shrunk body's nearest faces are behind its own by less than this fraction of a slop. A sweep may touch across a wider
         // gap.
@@ -47,7 +47,7 @@ package starlogo.queries.motion
 
         /**
          * The slop of the motion, in patches: how far the shrunk body's nearest faces are behind the body's own. They are less far behind if the body
-         * is slim, or if its least half-extent is less than two slops. A larger inset does not change the slop. Read only.
+         * is slim, or if its least half-extent is less than two slops. It stays the same if the shrunk body gets smaller. Read only.
          */
         public var slop:Number = 0;
 
@@ -57,17 +57,14 @@ package starlogo.queries.motion
          */
         public var clearance:Number = 0;
 
-        /** The part of its size that the shrunk body loses with its inset. Read only. */
+        /** The part of its size that the shrunk body loses. At first, its least half-extent loses a slop. A slim or small body loses less. Read only. */
         public var shrink:Number = 0;
 
-        /** Whether the body is so flat that the shrunk body loses hardly any of its inset. Read only. */
+        /** Whether the body is so flat that the shrunk body is hardly any thinner. Read only. */
         public var isFlat:Boolean = false;
 
-        // How much of its least half-extent the shrunk body should lose: a slop at first. A slim or small body loses less.
-        private var _inset:Number = 0;
-
-        // The largest inset that the motion may have. With it the shrunk body is free of every shallow overlap.
-        private var _maxInset:Number = 0;
+        // How much its least half-extent may lose on this motion. With it the shrunk body is free of every shallow overlap.
+        private var _maxLoss:Number = 0;
 
         // The shrunk body where it was asked for last, and this place.
         private var _shrunk:Body = new Body();
@@ -77,7 +74,7 @@ package starlogo.queries.motion
         private var _smaller:Body = new Body();
 
         /**
-         * Becomes the shrunk body on a motion, with an inset of a slop, and finds the motion's tolerances.
+         * Becomes the shrunk body on a motion, smaller by a slop, and finds the motion's tolerances.
          *
          * @param body has the full body
          * @param rows the rows that may be in the way
@@ -86,23 +83,15 @@ package starlogo.queries.motion
          */
         public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
         {
-            var extent:Number = body.extent;
-            var largest:Number = extent;
-            var cell:Number = 0;
+            var largest:Number = body.largestExtentAmong(rows);
+            // the ground is the last row if it is near
+            var last:Body = rows.count > 0 ? body.bodyOf(rows.values[rows.count - 1]) : null;
+            var cell:Number = last != null && last.kind == ModelShape.GROUND ? last.shape.grid.cellWidth : 0;
             this.body = body;
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                var other:Body = body.bodyOf(rows.values[i]);
-                if (other.kind == ModelShape.GROUND)
-                {
-                    cell = other.shape.grid.cellWidth;
-                }
-                largest = Math.max(largest, 2 * other.maxHalf);
-            }
-            slop = slopOf(extent, largest, from, cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            slop = slopOf(body.extent, largest, from, cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
-            _maxInset = slop + SHALLOW * largest;
-            setInset(slop);
+            _maxLoss = slop + SHALLOW * largest;
+            setShrink(shrinkOf(body.fullBody, slop));
             isFlat = shrink * body.fullBody.minHalf < FLAT_SLOPS * slop;
         }
 
@@ -121,32 +110,33 @@ package starlogo.queries.motion
         }
 
         /**
-         * Makes the inset larger for this motion, if the shrunk body is free of a row then. It becomes no larger than it has to be, up to a factor,
-         * because the motion can lead the body into other rows as deep as the inset.
+         * Makes the shrunk body smaller for this motion, if it is free of a row then. It gets no smaller than it has to be, up to a factor, because the
+         * motion can lead the body into other rows as deep.
          *
          * @return whether the shrunk body is free of the row
          */
-        public function tryNarrow(row:int, place:Vector3D):Boolean
+        public function shrinkUntilFree(row:int, place:Vector3D):Boolean
         {
-            var before:Number = _inset;
-            setInset(_maxInset);
+            var tried:Number = shrink;
+            var most:Number = shrinkOf(body.fullBody, _maxLoss);
+            setShrink(most);
             if (shrunkTouches(row, place))
             {
-                setInset(before);
+                setShrink(tried);
                 return false;
             }
-            setInset(Math.min(NARROWING * before, _maxInset));
-            while (_inset < _maxInset && shrunkTouches(row, place))
+            do
             {
-                setInset(Math.min(NARROWING * _inset, _maxInset));
+                tried = Math.min(SHRINK_GROWTH * tried, most);
+                setShrink(tried);
             }
+            while (shrink < most && shrunkTouches(row, place));
             return true;
         }
 
-        private function setInset(inset:Number):void
+        private function setShrink(value:Number):void
         {
-            _inset = inset;
-            shrink = shrinkOf(body.fullBody, inset);
+            shrink = value;
             _shrunk.copyFrom(body.fullBody);
             _shrunk.shrink(shrink);
         }
@@ -207,10 +197,10 @@ package starlogo.queries.motion
             return body.narrowPhase.areTouching(fullBody, _smaller);
         }
 
-        // The part of its size that a body loses with an inset.
-        private static function shrinkOf(body:Body, inset:Number):Number
+        // The part of its size that a body loses if its least half-extent loses a length.
+        private static function shrinkOf(body:Body, length:Number):Number
         {
-            var taken:Number = inset / Math.max(body.minHalf, body.maxHalf / MAX_SLIMNESS);
+            var taken:Number = length / Math.max(body.minHalf, body.maxHalf / MAX_SLIMNESS);
             return taken < MAX_SHRINK ? taken : MAX_SHRINK;
         }
     }

@@ -30,6 +30,9 @@ package starlogo.queries.motion
         /** The shrunk body on this motion, and the motion's tolerances. Read only. */
         public var shrunk:ShrunkBody = new ShrunkBody();
 
+        /** Frees the shrunk body where a motion starts. Between motions it gets other bodies out of overlaps. Read only. */
+        public var depenetration:Depenetration = new Depenetration(shrunk);
+
         /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */
         public var start:Vector3D = new Vector3D();
 
@@ -45,8 +48,6 @@ package starlogo.queries.motion
         /** What the shrunk body meets next, once it is known. A search for it overwrites it. */
         public var impact:Impact = new Impact();
 
-        private var _depenetration:Depenetration = new Depenetration();
-
         // How the shrunk body meets one row.
         private var _met:Impact = new Impact();
 
@@ -55,14 +56,13 @@ package starlogo.queries.motion
         private var _end:Vector3D = new Vector3D();
 
         /**
-         * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps.
+         * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps. Afterwards the impact is what stops the
+         * motion. If there are planes, it is unknown.
          *
          * @param rows the rows that may be in its way
          * @param from where the motion should start
-         * @return whether the impact is known: the motion has no length, or the sweep has shown that the shrunk body overlaps nothing. Otherwise the
-         *     obstacles must be swept from the start
          */
-        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):Boolean
+        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
         {
             copyVector(from, start);
             pushes.clear();
@@ -70,17 +70,15 @@ package starlogo.queries.motion
             obstacles.copyFrom(rows);
             impact.row = -1;
             shrunk.begin(body, rows, from, motion);
-            if (!hasLength(motion))
+            // a sweep cannot tell whether a flat body overlaps anything
+            if (hasLength(motion) && (shrunk.isFlat || (findFirstImpact(start, motion, true) && (impact.time == 0 || body.isOneWay(impact.row)))))
             {
-                return true;
+                depenetration.depenetrate(this);
+                if (planes.count == 0)
+                {
+                    findStoppingImpact(start, motion);
+                }
             }
-            if (shrunk.isFlat || (findFirstImpact(start, motion, true) && (impact.time == 0 || body.isOneWay(impact.row))))
-            {
-                // it overlaps something, or a sweep cannot tell
-                _depenetration.depenetrate(this);
-                return false;
-            }
-            return true;
         }
 
         /**
@@ -92,21 +90,23 @@ package starlogo.queries.motion
          */
         public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            var isKnown:Boolean = begin(body, rows, from, motion);
-            var crossesPlane:Boolean = !isKnown && findCrossedPlane(motion);
-            if (!isKnown && !crossesPlane)
+            begin(body, rows, from, motion);
+            out.startsPenetrating = planes.count > 0;
+            var crossesPlane:Boolean = out.startsPenetrating && findCrossedPlane(motion);
+            if (out.startsPenetrating && !crossesPlane)
             {
                 findStoppingImpact(start, motion);
             }
             out.fraction = crossesPlane ? 0 : (impact.hasRow ? findTouchTime(start, motion) : 1);
             out.row = impact.row;
-            out.startsPenetrating = planes.count > 0;
             out.contact.copyFrom(impact.contact);
         }
 
         /**
          * Finds the impact: which obstacle the shrunk body meets first, also if it is a one-way row that the body passes. It meets none if the motion has
-         * no length. Of those with the same <code>orderTime</code>, the first one in their order counts.
+         * no length. Of those that are met at the same time, the first one in their order counts. Without a contact that points against the motion, an
+         * obstacle counts a clearance later, unless it is met at once: if a corner of the shrunk body enters a floor exactly between two tiles, along the side
+         * of one of them, the top of the other stops it.
          *
          * @param from where the body is
          * @param motion what is left of the motion
@@ -116,13 +116,18 @@ package starlogo.queries.motion
         public function findFirstImpact(from:Vector3D, motion:Vector3D, isStart:Boolean = false):Boolean
         {
             var end:int = hasLength(motion) ? obstacles.count : 0;
+            var first:Number = RelativeMotion.NEVER;
             impact.row = -1;
-            impact.orderTime = RelativeMotion.NEVER;
-            for (var i:int = 0; i < end && impact.orderTime > 0; i++)
+            for (var i:int = 0; i < end && first > 0; i++)
             {
-                if (findRowImpact(obstacles.values[i], from, motion, isStart, _met) && _met.orderTime < impact.orderTime)
+                if (findRowImpact(obstacles.values[i], from, motion, isStart, _met))
                 {
-                    impact.copyFrom(_met);
+                    var time:Number = _met.isNormalFallback && _met.time > 0 ? _met.time + shrunk.clearance / motion.length : _met.time;
+                    if (time < first)
+                    {
+                        first = time;
+                        impact.copyFrom(_met);
+                    }
                 }
             }
             return impact.hasRow;
@@ -206,7 +211,7 @@ package starlogo.queries.motion
                     impact.contact.copyFrom(planes.contacts[i]);
                 }
             }
-            impact.time = impact.orderTime = 0;
+            impact.time = 0;
             impact.isNormalFallback = false;
             impact.contact.triangle = -1;
             return impact.hasRow;
@@ -225,13 +230,11 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            var length:Number = motion.length;
-            var clearanceTime:Number = shrunk.clearance / length;
-            var against:Number = -RemainingMotion.PARALLEL_SINE * length;
+            var against:Number = -RemainingMotion.PARALLEL_SINE * motion.length;
             out.time = _relative.time;
             if (out.time > 0 && !(contact.along(motion) < against) && !shrunk.isFlat)
             {
-                var beyond:Number = Math.min(1, out.time + clearanceTime);
+                var beyond:Number = Math.min(1, out.time + shrunk.clearance / motion.length);
                 var rest:Number = 1 - beyond;
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
                 sweepPast(row, false, contact);
@@ -242,13 +245,11 @@ package starlogo.queries.motion
                 out.time = beyond + rest * _relative.time;
             }
             out.row = row;
-            out.orderTime = out.time;
             out.isNormalFallback = !(contact.along(motion) < against);
             if (out.isNormalFallback)
             {
                 contact.setNormal(-motion.x, -motion.y, -motion.z);
                 contact.normalise();
-                out.orderTime = out.time > 0 ? out.time + clearanceTime : 0;
             }
             return true;
         }

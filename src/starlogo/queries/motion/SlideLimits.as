@@ -14,14 +14,14 @@ package starlogo.queries.motion
         /** No limits. It must not be changed. */
         public static const NONE:SlideLimits = new SlideLimits(-Infinity);
 
-        /** For a horizontal motion: it keeps its height, and all contacts but horizontal ones are upright walls. It must not be changed. */
-        public static const HORIZONTAL:SlideLimits = new SlideLimits(HORIZONTAL_Z, true);
+        /**
+         * For a horizontal motion, which ends as high as it begins: all contacts but horizontal ones are upright walls, and so are the planes of what the body
+         * overlaps deeply where it begins. It must not be changed.
+         */
+        public static const HORIZONTAL:SlideLimits = new SlideLimits(HORIZONTAL_Z);
 
         /** A contact counts as an upright wall if the z of its normal is less than this, else as a floor. With -Infinity it is neither. */
         public var minFloorNormalZ:Number;
-
-        /** Whether it ends as high as it begins. The planes of what the body overlaps deeply where it begins are upright walls then. */
-        public var keepsHeight:Boolean;
 
         /** The greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level. */
         public var maxHorizontal:Number = Infinity;
@@ -32,14 +32,10 @@ package starlogo.queries.motion
          */
         public var fallSlope:Number = 0;
 
-        /**
-         * @param minFloorNormalZ see the field
-         * @param keepsHeight see the field. There are no other limits
-         */
-        public function SlideLimits(minFloorNormalZ:Number, keepsHeight:Boolean = false)
+        /** @param minFloorNormalZ see the field. There are no other limits */
+        public function SlideLimits(minFloorNormalZ:Number)
         {
             this.minFloorNormalZ = minFloorNormalZ;
-            this.keepsHeight = keepsHeight;
         }
     }
 }

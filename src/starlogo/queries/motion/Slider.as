@@ -24,8 +24,10 @@ package starlogo.queries.motion
         // A slide turns at this many contacts at most.
         private static const MAX_CONTACTS:int = 8;
 
-        // The motion, and what remains of it.
-        private var _sweep:ShrunkSweep = new ShrunkSweep();
+        /** Sweeps its motions. Others may use it between two motions. Read only. */
+        public var sweep:ShrunkSweep = new ShrunkSweep();
+
+        // What remains of a slide.
         private var _remaining:RemainingMotion = new RemainingMotion();
 
         // A way straight up or down, and the limits of a slide down.
@@ -47,35 +49,35 @@ package starlogo.queries.motion
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits):MotionResult
         {
             var result:MotionResult = _slid;
-            var impact:Impact = _sweep.impact;
+            var impact:Impact = sweep.impact;
             result.wallRow = -1;
             result.row = -1;
             _remaining.begin(motion, limits);
-            var isKnown:Boolean = _sweep.begin(body, rows, from, _remaining.motion);
-            result.startsPenetrating = _sweep.planes.count > 0;
-            result.place.copyFrom(_sweep.start);
-            if (!isKnown)
+            sweep.begin(body, rows, from, _remaining.motion);
+            result.startsPenetrating = sweep.planes.count > 0;
+            result.place.copyFrom(sweep.start);
+            if (result.startsPenetrating)
             {
                 _remaining.beginCorner();
-                if (limits.keepsHeight)
+                if (limits === SlideLimits.HORIZONTAL)
                 {
                     makePlanesUpright();
                 }
                 projectAndSweep(result.place);
             }
             // the planes from this index on belong to the corner where the body is
-            var corner:int = _sweep.planes.count;
+            var corner:int = sweep.planes.count;
             for (var contacts:int = 0; contacts < MAX_CONTACTS && impact.hasRow; contacts++)
             {
                 if (!isInCorner())
                 {
                     _remaining.beginCorner();
-                    corner = _sweep.planes.count;
+                    corner = sweep.planes.count;
                 }
-                var touchTime:Number = _sweep.findTouchTime(result.place, _remaining.motion);
-                _remaining.advance(result.place, Math.max(touchTime + _sweep.shrunk.clearance / impact.contact.along(_remaining.motion), 0));
+                var touchTime:Number = sweep.findTouchTime(result.place, _remaining.motion);
+                _remaining.advance(result.place, Math.max(touchTime + sweep.shrunk.clearance / impact.contact.along(_remaining.motion), 0));
                 noteContact(impact, limits, result);
-                dropNeedlessPlanes(result.place, corner, _sweep.planes.add(impact.contact, impact.row));
+                dropNeedlessPlanes(result.place, corner, sweep.planes.add(impact.contact, impact.row));
                 projectAndSweep(result.place);
             }
             if (!impact.hasRow)
@@ -89,8 +91,8 @@ package starlogo.queries.motion
         // Turns what remains of the motion out of the planes, and finds what stops it then.
         private function projectAndSweep(place:Vector3D):void
         {
-            _remaining.project(_sweep.planes);
-            _sweep.findStoppingImpact(place, _remaining.motion);
+            _remaining.project(sweep.planes);
+            sweep.findStoppingImpact(place, _remaining.motion);
         }
 
         /**
@@ -103,9 +105,9 @@ package starlogo.queries.motion
         public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):MotionResult
         {
             var result:MotionResult = _straight;
-            _sweep.findStop(body, rows, from, motion, result);
-            var end:Number = result.hasContact ? Math.max(result.fraction + _sweep.shrunk.clearance / result.contact.along(motion), 0) : 1;
-            ShrunkSweep.setAlong(_sweep.start, motion, end, result.place);
+            sweep.findStop(body, rows, from, motion, result);
+            var end:Number = result.hasContact ? Math.max(result.fraction + sweep.shrunk.clearance / result.contact.along(motion), 0) : 1;
+            ShrunkSweep.setAlong(sweep.start, motion, end, result.place);
             return result;
         }
 
@@ -166,9 +168,9 @@ package starlogo.queries.motion
         // Turns the planes of what the body overlaps into upright walls, except of horizontal floors and ceilings.
         private function makePlanesUpright():void
         {
-            for (var i:int = 0; i < _sweep.planes.count; i++)
+            for (var i:int = 0; i < sweep.planes.count; i++)
             {
-                var plane:ContactPoint = _sweep.planes.contacts[i];
+                var plane:ContactPoint = sweep.planes.contacts[i];
                 if (Math.abs(plane.normalZ) < SlideLimits.HORIZONTAL_Z)
                 {
                     makeUpright(plane);
@@ -181,14 +183,14 @@ package starlogo.queries.motion
         // projected again, and the impact is unknown.
         private function dropNeedlessPlanes(place:Vector3D, corner:int, newest:int):void
         {
-            for (var i:int = _sweep.planes.count - 1; i >= corner; i--)
+            for (var i:int = sweep.planes.count - 1; i >= corner; i--)
             {
                 if (i != newest)
                 {
-                    _remaining.project(_sweep.planes, i);
+                    _remaining.project(sweep.planes, i);
                     if (_remaining.motion.lengthSquared > 0 && !meetsInCorner(place))
                     {
-                        _sweep.planes.remove(i);
+                        sweep.planes.remove(i);
                     }
                 }
             }
@@ -197,14 +199,14 @@ package starlogo.queries.motion
         // Whether what remains of the motion is stopped in this corner.
         private function meetsInCorner(place:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(place, _remaining.motion) && isInCorner()
-                && !_sweep.shrunk.body.passesOneWay(_sweep.impact.row, _sweep.impact.contact);
+            return sweep.findFirstImpact(place, _remaining.motion) && isInCorner()
+                && !sweep.shrunk.body.passesOneWay(sweep.impact.row, sweep.impact.contact);
         }
 
         // Whether what the rest of the motion meets first is met in the corner where it begins.
         private function isInCorner():Boolean
         {
-            return _sweep.impact.time * _remaining.motion.length < SAME_CORNER * _sweep.shrunk.slop;
+            return sweep.impact.time * _remaining.motion.length < SAME_CORNER * sweep.shrunk.slop;
         }
     }
 }

@@ -5,6 +5,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
+    import starlogo.queries.NestedPool;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
     import starlogo.search.Body;
@@ -41,8 +42,10 @@ package starlogo.queries.motion
         // The most pushes out of what the agent overlaps where a walk begins.
         private static const MAX_PUSHES:int = 8;
 
-        private var _slider:Slider = new Slider();
-        private var _depenetration:Depenetration = new Depenetration();
+        // The walk of a question.
+        private var _walkPool:NestedPool;
+
+        private var _slider:Slider;
         private var _platforms:PlatformCarry;
         private var _floorFinder:FloorFinder;
 
@@ -53,11 +56,16 @@ package starlogo.queries.motion
         // The contact of the deepest overlap.
         private var _deepest:ContactPoint = new ContactPoint();
 
-        /** @param seen has the rows */
-        public function WalkPlanner(seen:SeenAgents)
+        /**
+         * @param seen has the rows
+         * @param slider moves the agent
+         */
+        public function WalkPlanner(seen:SeenAgents, slider:Slider)
         {
-            _platforms = new PlatformCarry(seen, _slider);
-            _floorFinder = new FloorFinder(seen, _slider);
+            _slider = slider;
+            _walkPool = new NestedPool(seen, WalkState);
+            _platforms = new PlatformCarry(seen, slider);
+            _floorFinder = new FloorFinder(seen, slider);
         }
 
         /**
@@ -68,20 +76,23 @@ package starlogo.queries.motion
          * @param dx how far along x
          * @param dy how far along y
          * @param options how it walks
-         * @param out receives where the walk ends, and how it came there
-         * @return whether the agent stands there
+         * @return where the walk ends, and how it came there: valid until the next walk that is nested as deep
          */
-        public function plan(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:WalkState):Boolean
+        public function plan(agent:Agent, dx:Number, dy:Number, options:WalkOptions):WalkState
         {
-            var platformRow:int = begin(agent, dx, dy, options, out);
-            var beginsStanding:Boolean = standOrPushOut(out, platformRow);
-            var stands:Boolean = walkSubsteps(out, beginsStanding) || fall(out);
-            _depenetration.restoreClearance(out.body, out.place);
-            return stands;
+            var walk:WalkState = WalkState(_walkPool.top);
+            begin(agent, dx, dy, options, walk);
+            var beginsStanding:Boolean = standOrPushOut(walk);
+            if (!walkSubsteps(walk, beginsStanding) && !fall(walk))
+            {
+                walk.floorRow = -1;
+            }
+            _slider.sweep.depenetration.restoreClearance(walk.body, walk.place);
+            return walk;
         }
 
-        // Begins a walk where the agent is, or where its platform carries it. Returns the platform's row; -1 if none carries it.
-        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:WalkState):int
+        // Begins a walk where the agent is, or where its platform carries it.
+        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:WalkState):void
         {
             var body:MovingBody = walk.body.setToAgent(agent).aim(dx, dy, 0);
             walk.options.copyFrom(options);
@@ -90,15 +101,14 @@ package starlogo.queries.motion
             walk.substepCount = Math.min(MAX_SUBSTEPS, Math.max(1, Math.ceil(length / agent.size)));
             walk.substepMotion.setTo(dx / walk.substepCount, dy / walk.substepCount, 0);
             walk.substepLength = length / walk.substepCount;
-            var platformRow:int = _platforms.find(agent, walk);
+            _platforms.find(agent, walk);
             body.turn(walk.carryTurn);
             walk.place.copyFrom(body.from);
             collectRows(walk, 0);
-            if (platformRow >= 0)
+            if (walk.platformRow >= 0)
             {
-                _platforms.carry(walk, platformRow);
+                _platforms.carry(walk);
             }
-            return platformRow;
         }
 
         // Finds the rows near a walk, and up to a distance from it, and how far below the agent its floor may be.
@@ -110,7 +120,7 @@ package starlogo.queries.motion
             var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + depthAfterFall(walk) / 2 + walk.carry.length + distance;
             range += maxFloorDistanceAmong(walk, body.largestExtentBound);
             body.collectRowsWithin(range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
-            walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtent);
+            walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtentAmong(body.rows));
         }
 
         // How far below the agent its floor may be, among rows of at most this extent.
@@ -120,10 +130,10 @@ package starlogo.queries.motion
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
-        private function standOrPushOut(walk:WalkState, platformRow:int):Boolean
+        private function standOrPushOut(walk:WalkState):Boolean
         {
             walk.substepStart.copyFrom(walk.place);
-            var lift:Number = liftByPlatforms(walk, platformRow);
+            var lift:Number = liftByPlatforms(walk);
             var down:MotionResult = _slider.moveVertically(walk.body, walk.place, -walk.maxFloorDistance);
             if (down.startsPenetrating)
             {
@@ -140,9 +150,9 @@ package starlogo.queries.motion
         }
 
         // Lifts the agent with one-way rows that have risen into it, if there is room. Returns how far they lead.
-        private function liftByPlatforms(walk:WalkState, platformRow:int):Number
+        private function liftByPlatforms(walk:WalkState):Number
         {
-            var lift:Number = _platforms.findLift(walk, platformRow);
+            var lift:Number = _platforms.findLift(walk);
             if (lift > 0)
             {
                 collectRows(walk, lift);
@@ -155,13 +165,14 @@ package starlogo.queries.motion
         // together are as long as the depths of all overlaps at the beginning. Platforms have lifted the agent before.
         private function pushOutOfDeep(walk:WalkState, lift:Number):void
         {
-            var left:Number = _depenetration.measureOverlaps(walk.body, walk.place, _deepest);
+            var overlaps:Depenetration = _slider.sweep.depenetration;
+            var left:Number = overlaps.measureOverlaps(walk.body, walk.place, _deepest);
             if (left > 0)
             {
                 // the filter's accepts may walk another agent, so the overlaps are measured again
                 collectRows(walk, lift + left);
             }
-            for (var i:int = 0; i < MAX_PUSHES && left > 0 && _depenetration.measureOverlaps(walk.body, walk.place, _deepest) > 0; i++)
+            for (var i:int = 0; i < MAX_PUSHES && left > 0 && overlaps.measureOverlaps(walk.body, walk.place, _deepest) > 0; i++)
             {
                 var length:Number = Math.min(left, _deepest.depth);
                 left -= length;

@@ -31,7 +31,8 @@ package starlogo.queries.motion
         /** The agent stands on what is at most this far below it. */
         public var maxFloorDistance:Number = 0;
 
-        /** How the platform that the agent stood on carries it: the motion, and the turn in degrees. Both are 0 if none does. */
+        /** The row of the platform that carries the agent; -1 if none does. How it does: the motion, and the turn in degrees. Both are 0 then. */
+        public var platformRow:int = -1;
         public var carry:Vector3D = new Vector3D();
         public var carryTurn:Number = 0;
 
@@ -41,7 +42,7 @@ package starlogo.queries.motion
         /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();
 
-        /** The row that the agent stood on last, and the normal of its surface there. */
+        /** The row that the agent stood on last, and the normal of its surface there. At the end of the walk it is -1 if the agent does not stand. */
         public var floorRow:int = -1;
         public var floorNormal:Vector3D = new Vector3D();
 

@@ -19,9 +19,6 @@ package starlogo.queries.rays
         // The indices of all crossings, in the order of the ray.
         private var _all:SortableIntList = new SortableIntList();
 
-        // By surface: the side from which the ray comes.
-        private var _sides:Vector.<int> = new Vector.<int>();
-
         /**
          * Finds the surfaces of a structure, or of nodes: where the ray enters the first of parts that overlap, and where it leaves the last.
          *
@@ -80,7 +77,7 @@ package starlogo.queries.rays
         /**
          * Finds the surfaces of triangles: one of those that the ray meets at the same place from the same side, and one of those that it runs along.
          *
-         * @param crossings where it crosses each triangle
+         * @param crossings where it crosses each triangle. The side of one may become that of another of the same surface
          */
         public function findOfTriangles(crossings:RayCrossings):void
         {
@@ -107,7 +104,6 @@ package starlogo.queries.rays
                 }
                 if (!joinKept(crossings, index, mostSlack))
                 {
-                    _sides[indices.count] = crossing.side;
                     mostSlack = Math.max(mostSlack, crossing.rounding);
                     indices.add(index);
                 }
@@ -127,11 +123,11 @@ package starlogo.queries.rays
                 {
                     return false;
                 }
-                if (areOneSurface(crossing.side, _sides[k]) && gap <= crossing.rounding + kept.rounding)
+                if (areOneSurface(crossing.side, kept.side) && gap <= crossing.rounding + kept.rounding)
                 {
-                    if (_sides[k] == RayCrossing.EDGE_ON && crossing.side != RayCrossing.EDGE_ON)
+                    if (kept.side == RayCrossing.EDGE_ON && crossing.side != RayCrossing.EDGE_ON)
                     {
-                        _sides[k] = crossing.side;
+                        kept.side = crossing.side;
                         if (gap <= kept.rounding)
                         {
                             // none is kept between the two, because it would have joined the other one

@@ -71,10 +71,10 @@ package starlogo.queries.trees
             return this;
         }
 
-        /** Whether a row has a shape, is not the row of the agent that asks, and the filter may admit it. */
+        /** Whether a row has a shape and the filter may admit it. */
         public function mayWant(row:int):Boolean
         {
-            return row != filter.askerRow && _seen.table.shapes[row] != null && filter.mayAdmit(row);
+            return _seen.table.shapes[row] != null && filter.mayAdmit(row);
         }
 
         /** Adds a row that the question has found. This may lower the limit. */

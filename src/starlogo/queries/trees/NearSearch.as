@@ -205,9 +205,7 @@ package starlogo.queries.trees
             var atX:Number = _x;
             var atY:Number = _y;
             var atZ:Number = _z;
-            var asker:int = filter.askerRow;
             var limit:Number = collector.limit;
-            var excluded:int = 0;
             var end:int = _tree.startOf(leaf + 1);
             for (var slot:int = _tree.startOf(leaf); slot < end; slot++)
             {
@@ -217,14 +215,14 @@ package starlogo.queries.trees
                 var toY:Number = boxes[int(box + 1)] - atY;
                 var toZ:Number = boxes[int(box + 2)] - atZ;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
-                var row:int = _tree.rows[slot];
-                if (square > limit || row == asker)
+                if (square > limit)
                 {
                     continue;
                 }
+                var row:int = _tree.rows[slot];
                 if (!filter.mayAdmit(row))
                 {
-                    excluded++;
+                    _tree.excludedCount++;
                 }
                 else if (cone == null || cone.contains(boxes, box))
                 {
@@ -232,7 +230,6 @@ package starlogo.queries.trees
                     limit = collector.limit;
                 }
             }
-            _tree.excludedCount += excluded;
         }
     }
 }

@@ -10,8 +10,8 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * The rows of the agents that an AgentFilter admits. The agent that asks is never in its own answer; the searches leave out
-     * <code>askerRow</code> themselves. The filter's lists are read once a question. Its <code>accepts</code> is asked last, by the Collector.
+     * The rows of the agents that an AgentFilter admits, without the agent that asks, which is never in its own answer. The filter's lists are read once a
+     * question. Its <code>accepts</code> is asked last, by the Collector.
      *
      * @private
      */
@@ -20,7 +20,7 @@ package starlogo.queries.trees
         /** The filter's <code>accepts</code>; null if there is none. Read only, like all below. */
         public var accepts:Function = null;
 
-        /** Whether breeds or agents are excluded. If not, <code>mayAdmit()</code> is true for all rows. */
+        /** Whether breeds or agents are excluded. If not, <code>mayAdmit()</code> is true for all rows but the asker's. */
         public var excludes:Boolean = false;
 
         /** The set of the breeds that the filter may admit, see RowTree. */
@@ -106,10 +106,10 @@ package starlogo.queries.trees
             }
         }
 
-        /** Whether the filter may admit a row: by its breed and the filter's <code>except</code>. <code>accepts</code> is not called. */
+        /** Whether a row may count: by its agent, its breed and the filter's <code>except</code>. <code>accepts</code> is not called. */
         public function mayAdmit(row:int):Boolean
         {
-            return !excludes || (!_exceptRows.has(row) && admitsBreed(_listed.agentsByRow[row].breedNumber));
+            return row != askerRow && (!excludes || (!_exceptRows.has(row) && admitsBreed(_listed.agentsByRow[row].breedNumber)));
         }
 
         private function admitsBreed(breed:int):Boolean

@@ -62,7 +62,7 @@ package starlogo.queries.trees
         /** No row has had a larger extent since the tree was built. It may be too large by a factor of three. Read only. */
         public var maxExtent:Number = 0;
 
-        /** How many rows that did not count, mostly by their filters, were tested since the nodes learned their breeds. Searches add to it. */
+        /** How many rows that did not count, mostly because of filters, were tested since the nodes learned their breeds. Searches add to it. */
         public var excludedCount:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.

@@ -54,12 +54,14 @@ package starlogo.queries.motion
                 var found:Impact = new Impact();
                 found.copyFrom(sweep.impact);
                 var expected:Impact = new Impact();
+                var first:Number = Infinity;
                 for (k = 0; k < body.rows.count; k++)
                 {
                     sweep.obstacles.count = 0;
                     sweep.obstacles.add(body.rows.values[k]);
-                    if (sweep.findFirstImpact(from, motion) && sweep.impact.orderTime < expected.orderTime)
+                    if (sweep.findFirstImpact(from, motion) && countsAt(sweep, motion) < first)
                     {
+                        first = countsAt(sweep, motion);
                         expected.copyFrom(sweep.impact);
                     }
                 }
@@ -70,6 +72,13 @@ package starlogo.queries.motion
             }
             wrong.assertNone();
             assertTrue(ofBuilding + " by the building, " + ofThing + " by a thing", ofBuilding > 30 && ofThing > 30);
+        }
+
+        // When an impact counts among others.
+        private static function countsAt(sweep:ShrunkSweep, motion:Vector3D):Number
+        {
+            var time:Number = sweep.impact.time;
+            return time > 0 && sweep.impact.isNormalFallback ? time + sweep.shrunk.clearance / motion.length : time;
         }
     }
 }

@@ -53,8 +53,8 @@ package starlogo.ground
             grid.findHeight(_under);
             // NaN if no ground is below. Then nothing is known
             var above:Number = extents.z - _under.height;
-            // a ball with this radius around the middle is in the agent
-            if (above <= (isSphere ? extents.halfX : 0))
+            // a sphere is a ball around its middle, another agent has at least its middle
+            if (above <= 0 || isSphere && above <= extents.halfX)
             {
                 // the middle of a hull's extents may be outside of the hull
                 return kind == BoundingStructure.HULL ? UNKNOWN : TOUCHING;

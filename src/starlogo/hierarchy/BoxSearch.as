@@ -187,18 +187,21 @@ package starlogo.hierarchy
             var begin:Number = _from;
             var latest:Number = limit < LATEST ? limit : LATEST;
             var top:int = _top;
-            var visits:int = 0;
-            var node:int = -1;
-            while (node < 0 && top > 0)
+            while (top > 0)
             {
                 top--;
-                node = _enters[top] > latest ? -1 : _nodes[top];
-                while (node >= 0 && tree.leafUpToDepth[node] < _depth)
+                var node:int = _enters[top] > latest ? -1 : _nodes[top];
+                while (node >= 0)
                 {
-                    visits++;
+                    _counts.nodeVisits++;
+                    if (tree.leafUpToDepth[node] >= _depth)
+                    {
+                        _top = top;
+                        return node;
+                    }
                     // of the children that are met, the one to visit next, and when it is entered
                     var next:int = -1;
-                    var enterNext:Number = Infinity;
+                    var enterNext:Number = 0;
                     var left:int = tree.left[node];
                     for (var child:int = left; child < left + 2; child++)
                     {
@@ -231,22 +234,28 @@ package starlogo.hierarchy
                         var enter:Number = enterX > begin ? enterX : begin;
                         enter = enterY > enter ? enterY : enter;
                         enter = enterZ > enter ? enterZ : enter;
-                        var isNext:Boolean = next < 0 || (isStill ? isRightNearer(tree, node) : enter < enterNext);
-                        if (next >= 0)
+                        if (next < 0)
                         {
-                            _nodes[top] = isNext ? next : child;
-                            _enters[top] = isNext ? enterNext : enter;
-                            top++;
+                            next = child;
+                            enterNext = enter;
                         }
-                        next = isNext ? child : next;
-                        enterNext = enter;
+                        else if (isStill ? isRightNearer(tree, node) : enter < enterNext)
+                        {
+                            _nodes[top] = next;
+                            _enters[top++] = enterNext;
+                            next = child;
+                        }
+                        else
+                        {
+                            _nodes[top] = child;
+                            _enters[top++] = enter;
+                        }
                     }
                     node = next;
                 }
             }
-            _counts.nodeVisits += node < 0 ? visits : visits + 1;
-            _top = top;
-            return node;
+            _top = 0;
+            return -1;
         }
 
         // Whether the box's middle is nearer to the right child of a node than to the left one, along the axis of their split.

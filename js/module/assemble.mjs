@@ -9,7 +9,7 @@ import { Program } from "./translation/translate.mjs";
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
 const FILES = ["checks.mjs", "literals.mjs", "shown.mjs", "language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
-const SUBJECTS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "snapshots", "walks", "drawn"];
+const SUBJECTS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "snapshots", "walks", "poses", "drawn"];
 const WARNINGS = SUBJECTS.map((name) => `warnings/${name}.mjs`);
 
 /**

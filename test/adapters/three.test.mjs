@@ -581,6 +581,60 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.throws(() => bindInstance(new Agent("box"), new THREE.InstancedMesh(source.geometry, source.material, 2), 1, model).updateModel(), /instance/);
 	});
 
+	test(`three ${version}: the engine warns of a figure that collides as its first pose, and of one that two bindings pose, and refuses a mesh without its skeleton`, () => {
+		/** A box, two high and with one bone; what it collides as is posed by its binding. */
+		const figure = (name) => {
+			const geometry = new THREE.BoxGeometry(1, 2, 1).translate(0, 1, 0);
+			const { count } = geometry.attributes.position;
+			geometry.setAttribute("skinIndex", new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+			geometry.setAttribute("skinWeight", new THREE.Float32BufferAttribute(Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0)), 4));
+			const mesh = new THREE.SkinnedMesh(geometry, new THREE.MeshBasicMaterial());
+			mesh.name = name;
+			assert.throws(() => modelFromObject(name, new THREE.Group().add(mesh)), { name: "ModelError", message: `model "${name}": the SkinnedMesh "${name}" has no skeleton: call mesh.bind(skeleton) first` });
+			const bone = new THREE.Bone();
+			mesh.add(bone);
+			mesh.bind(new THREE.Skeleton([bone]));
+			return { mesh, bone, model: modelFromObject(name, mesh, { scaling: Model.AS_GIVEN }) };
+		};
+		const { BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider } = engine;
+		/** Plays frames with figures whose bones move by so much in each. */
+		const play = (figures, { Collider = CombinationCollider, traits = {}, reach = 0.05, others = [], eachFrame = () => {} }) => {
+			const land = new GreatLand();
+			for (const { model } of figures) if (!land.hasModel(model.name)) land.addModel(model);
+			const agents = figures.map(({ model }) => Object.assign(new Agent(model.name, "figures"), traits));
+			const bindings = figures.map(({ mesh, model }, i) => new ThreeAgentBinding(agents[i], mesh, model));
+			const collisions = [Collider, ...others].map((Other) => new Collision(new Other(land)));
+			for (let i = 0; i < 70; i++) {
+				figures.forEach(({ bone }, k) => bone.position.x = reach * i * (k === 0 ? 1 : -1));
+				for (const binding of bindings) binding.updateModel();
+				eachFrame(land, figures[0].model);
+				for (const collision of collisions) collision.update(agents);
+			}
+		};
+		const twins = (name, otherModel) => {
+			const [one, other] = [figure(name), figure(name)];
+			return [one, { ...other, model: otherModel ?? one.model }];
+		};
+		const said = warningsIn((soFar) => {
+			play([figure("tree")], { traits: { hierarchical: true } });
+			play([figure("of trees")], { Collider: HierarchicalCollider });
+			play([figure("of bins")], { Collider: BinCollider });
+			play([figure("sways")], { reach: 0 });
+			play([figure("is fitted again")], { eachFrame: (land, model) => land.boundingStructures.add(model.name, model.vertices) });
+			play([figure("is fitted to all")], { eachFrame: (land, { name }) => land.boundingStructures.add(name, BuiltInModel.box(20, 20, 20, "all").vertices) });
+			play([figure("has a tree elsewhere")], { Collider: TightestFitCollider, others: [HierarchicalCollider] });
+			const traits = { hierarchical: true };
+			play([figure("own 1"), figure("own 2")], { traits });
+			play(twins("alike"), { traits, reach: 0 });
+			assert.deepEqual(soFar, []);
+			play([figure("first pose")], {});
+			play(twins("shared"), { traits });
+		});
+		assert.equal(said.length, 2, said.join("\n"));
+		assert.match(said[0], /^starlogo-collision: agent \d+ \(.*shape "first pose"\) collides as the structure around the first pose of its model: a pose moves the tree alone\. Set hierarchical, in a CombinationCollider, or fit again/);
+		assert.match(said[1], /^starlogo-collision: the model "shared" was posed by two bindings between two updates, and has the last pose for both\. .*modelFromObject\("shared2", object\)$/);
+	});
+
 	test(`three ${version}: bones may be anywhere, groups may overlap, and many positions may be equal`, () => {
 		const geometry = new THREE.BoxGeometry();
 		const { count } = geometry.attributes.position;

@@ -5,6 +5,7 @@ import { adapter } from './engine.mjs';
 
 const THREE = createRequire(new URL('../../js/module/package.json', import.meta.url))('three');
 
+export const AnimationMixer = THREE.AnimationMixer;
 export const BoxGeometry = THREE.BoxGeometry;
 export const DoubleSide = THREE.DoubleSide;
 export const Group = THREE.Group;
@@ -25,8 +26,19 @@ const body = new THREE.Mesh(new THREE.CapsuleGeometry(3, 10));
 body.position.y = 8;
 gltf.scene.add(body);
 
+const skin = new THREE.BoxGeometry(1, 2, 1).translate(0, 1, 0);
+const corners = skin.attributes.position.count;
+skin.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Uint16Array(4 * corners), 4));
+skin.setAttribute('skinWeight', new THREE.Float32BufferAttribute(Array.from({ length: 4 * corners }, (_, i) => (i % 4 === 0 ? 1 : 0)), 4));
+const skinned = new THREE.SkinnedMesh(skin);
+const bone = new THREE.Bone();
+skinned.add(bone);
+skinned.bind(new THREE.Skeleton([bone]));
+/** A figure with one bone, which moves all of it. */
+export const figure = new THREE.Group().add(skinned);
+
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, drawnFace, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand, placeCamera, openRoom, closedRoom }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, drawnFace, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand, placeCamera, openRoom, closedRoom, enemy, moveEnemy, queries }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -57,5 +69,10 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	assert.ok(camera.position.y > 0.25 && camera.position.y < 3.1, 'it goes back slowly');
 	for (const [room, triangles] of [[openRoom, 10], [closedRoom, 72]]) assert.equal(adapter.levelFromObject('room', room).triangles.length, 3 * triangles);
 	assert.equal(collision.terrain, terrain);
+	bone.position.y = 100;
+	moveEnemy(0.5);
+	queries.update([enemy]);
+	assert.ok(Math.abs(queries.cast({ x: -5, y: 0, z: 101 }, { x: 1, y: 0, z: 0 }).distance - 5) < 1e-6, 'the pose of the bone, and the step of the agent');
+	assert.equal(figure.position.x, 0.5);
 	assert.ok(terrain.heightAt(3, 4) > 1.99 && Math.abs(ground.boundingBox.max.y - terrain.heightAt(3, 4)) < 1e-6);
 }

@@ -555,6 +555,30 @@ test("while a game is developed, what is made anew in each frame, traits that do
 	for (const pattern of expected) assert.ok(said.some((text) => pattern.test(text)), `${pattern}: ${said.join("\n")}`);
 });
 
+test("while a game is developed, agents that are made anew beside a level that stays are warned of, once, and not if others move, nothing lasts, or one breed lives for a frame", () => {
+	const program = (module) => `${beginning("Agent, BinCollider, Collision", module)}
+		/** Plays frames with new agents of some breeds beside a level and a hero that stay. */
+		function play(breeds, { handler = "onCollisionStart", sweeps = false, speed = 0 } = {}) {
+			const game = new Collision(new BinCollider());
+			if (handler) game[handler]("heroes", "coins", () => 0);
+			const [level, hero] = [new Agent("cube", "levels"), new Agent("cube", "heroes")];
+			for (let frame = 0; frame < 400; frame++) {
+				hero.x += speed;
+				const made = breeds.map((breed) => Object.assign(new Agent("sphere", breed), { sweeps }));
+				game.update([level, hero, ...made]);
+			}
+			return said.filter((text) => /new in/.test(text)).length;
+		}
+		const both = ["heroes", "coins"];
+		const counts = [play(["beams"]), play(both, { speed: 0.1 }), play(both, { handler: "onCollision" }), play(both, { handler: null, sweeps: false }), play([]),
+			play(both), play(["heroes", "shots"], { handler: null, sweeps: true })];
+		console.log(JSON.stringify({ said, counts }));`;
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
+	assert.deepEqual(counts, [0, 0, 0, 0, 0, 1, 1], said.join("\n"));
+	assert.match(said.find((text) => /new in/.test(text)), /all agents of "heroes", "coins" are new in 300 frames in turn, so no touch lasts, and nothing sweeps: make each agent once/);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
+});
+
 test("while a game is developed, questions without frames, models that replace others and grounds that are missing are warned of, once", () => {
 	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, BuiltInModel, Collision, GreatLand, LevelShapes, Sphere, Terrain, WorldBounds", module)}
 		const game = new Collision(new BinCollider());
@@ -972,12 +996,42 @@ test("while a game is developed, a forgotten update of questions is warned of if
 		const queries = new AgentQueries(new TightestFitCollider(land));
 		const seen = new SeenAgents(new TightestFitCollider(land));
 		for (const each of [queries, seen]) each.update([lift, hero, friend]);
+		// far from the lift: what carries nobody may have moved for longer
+		hero.moveTo(9, 0, 0);
 		const counts = [play(400, { update: (agents) => queries.update(agents), motions: queries }), play(400, { refresh: (agent) => queries.refresh(agent), motions: queries }),
 			play(299, { motions: new AgentMotions(seen) }), play(9, { motions: new AgentMotions(seen) }), play(400, { motions: queries })];
 		console.log(JSON.stringify({ said, counts }));`;
 	const { said, counts } = printedBy(program("starlogo-collision.js"));
 	assert.deepEqual(counts, [0, 0, 0, 1, 1], said.join("\n"));
 	assert.match(said[0], /questions see agent \d+ \(.*shape "lift"\) where it was at the last queries\.update\(agents\), 30\d motions of agent \d+ \(.*shape "hero"\) ago: call it once a frame/);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
+});
+
+test("while a game is developed, a lift that rises below a walker without an update of questions is warned of soon, and one that is refreshed or left never", () => {
+	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, Footing, GreatLand, TightestFitCollider", module)}
+		const land = new GreatLand();
+		for (const model of [BuiltInModel.capsule(0.3, 1.8, "hero"), BuiltInModel.box(4, 4, 0.2, "lift")]) land.addModel(model);
+		const [lift, hero, floor] = [new Agent("lift", "lifts"), new Agent("hero", "heroes"), new Agent("lift", "floors")];
+		const queries = new AgentQueries(new TightestFitCollider(land));
+		const footing = new Footing();
+		/** Plays frames in which the lift rises and the hero stands on it, or beside it. */
+		function play(frames, x, see) {
+			hero.moveTo(x, 0, 0.2);
+			lift.moveTo(0, 0, 0);
+			floor.moveTo(6, 0, 0);
+			queries.update([lift, floor, hero]);
+			for (let i = 0; i < frames; i++) {
+				lift.moveTo(0, 0, 0.01 * i);
+				see?.();
+				queries.walk(hero, 0, 0, { fall: 0.2 }, footing);
+			}
+			return said.length;
+		}
+		const counts = [play(60, 0, () => queries.update([lift, floor, hero])), play(60, 0, () => queries.refresh(lift)), play(60, 6), play(29, 0), play(40, 0), play(40, 0)];
+		console.log(JSON.stringify({ said, counts }));`;
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
+	assert.deepEqual(counts, [0, 0, 0, 0, 1, 1], said.join("\n"));
+	assert.match(said[0], /questions see agent \d+ \(.*shape "lift"\) where it was at the last queries\.update\(agents\), 3\d motions of agent \d+ \(.*shape "hero"\), which stands on it, ago: call it once a frame/);
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 

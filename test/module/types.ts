@@ -317,12 +317,19 @@ typedQueries.walk(agent, 1, 0, { filter: { breeds: ["coins"] } });
 typedQueries.walk(agent, 1, 0, { filter: { breeds: ["coin"] } });
 // @ts-expect-error there is no such breed
 typedQueries.countNear(agent, 3, { breeds: ["coin"] });
-// those that do not count are named alike, and say nothing of what is found
+// those that do not count are named alike. With a plain Agent in the game nothing is left out
 const exceptCoins = typedQueries.near(agent, 3, { exceptBreeds: ["coins", Collision.TERRAIN] });
-is<Same<typeof exceptCoins, (Hero | Coin)[]>>();
+is<Same<typeof exceptCoins, Hero[]>>();
+const nearestHero = typedQueries.nearest(agent, 3, { exceptBreeds: ["coins"] });
+is<Same<typeof nearestHero, Hero | null>>();
+const touchedExcept = typedQueries.touching(agent, { exceptBreeds: ["coins"] });
+is<Same<typeof touchedExcept, (Hero | Coin | Agent)[]>>();
+const exceptAny = typedQueries.near(agent, 3, { exceptBreeds: breeds });
+is<Same<typeof exceptAny, (Hero | Coin)[]>>();
+const withPlain = new AgentQueries(new Collision<{ heroes: Hero; levels: Agent }>(bins)).near(agent, 3, { exceptBreeds: ["levels"] });
+is<Same<typeof withPlain, (Hero | Agent)[]>>();
 const exceptHeroes = typedQueries.near(agent, 3, { breeds: ["coins"], exceptBreeds: ["heroes"] });
 is<Same<typeof exceptHeroes, Coin[]>>();
-typedQueries.near(agent, 3, { exceptBreeds: breeds });
 // @ts-expect-error there is no such breed
 typedQueries.near(agent, 3, { exceptBreeds: ["coin"] });
 typedQueries.walk(agent, 1, 0, { filter: { exceptBreeds: ["coins"] } });

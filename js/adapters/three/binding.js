@@ -124,6 +124,7 @@ export class ThreeAgentBinding {
 		if (this.#model === null) throw new ArgumentError("the binding has no model: pass it to the constructor");
 		if (this.#objectTransform instanceof InstanceTransform) throw new ArgumentError("an instance has no pose of its own");
 		poseModel(this.#model, this.object);
+		warnings?.keepPose(this.#model, this.agent);
 	}
 
 	/** Whether the object is elsewhere than at the last update. */

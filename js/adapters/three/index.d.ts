@@ -57,7 +57,7 @@ export interface BindingOptions extends LevelOptions {
 
 /** Options of a binding to an object or an instance. */
 export interface ObjectBindingOptions extends BindingOptions {
-    /** The index of the instance in an InstancedMesh. */
+    /** The index of the instance in an InstancedMesh. No other object takes one. */
     index?: number | null | undefined;
 }
 
@@ -150,8 +150,7 @@ export class ThreeAgentBinding<BoundAgent extends Agent = Agent> {
      * of levelFromObject and its object is not at the origin, or is of all instances of the InstancedMesh
      * @throws RangeError if the InstancedMesh has no such instance
      */
-    constructor(agent: BoundAgent, object: InstancedMesh, model?: Model | null, options?: ObjectBindingOptions);
-    constructor(agent: BoundAgent, object: Object3D, model?: Model | null, options?: BindingOptions);
+    constructor(agent: BoundAgent, object: Object3D, model?: Model | null, options?: ObjectBindingOptions);
 
     /** The agent. */
     get agent(): BoundAgent;
@@ -175,7 +174,8 @@ export class ThreeAgentBinding<BoundAgent extends Agent = Agent> {
 
     /**
      * Gives the model the pose of the object: the places that its bones, morph targets and children's transforms give to the vertices now. Call
-     * it before the frame's `update()`, after the AnimationMixer's. All agents with the model have the pose: see `Model.pose`.
+     * it before the frame's `update()`, after the AnimationMixer's. All agents with the model have the pose: see `Model.pose`. Only its tree has it: an
+     * agent that collides as a structure keeps the first pose, so set `hierarchical` in a CombinationCollider.
      *
      * The model must be one of `modelFromObject`, and the object its source or a clone of it, with the same meshes. Vertices that were at equal
      * positions when the model was made stay one. The source's own meshes may have another order by now; those of a clone have the same, and none of them is

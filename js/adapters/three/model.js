@@ -123,7 +123,7 @@ export function poseModel(model, object) {
 	const refuse = () => {
 		throw new ArgumentError(`model "${model.name}" was made of other meshes than ${object.constructor.name} "${object.name}" has`);
 	};
-	updateMatrices(object);
+	updateMatrices(model.name, object);
 	if (!isGeometry) eachMesh(object, identity, poseMesh);
 	else if (object.isMesh) poseMesh(object, identity);
 	if (number !== meshes.length) refuse();

@@ -1,14 +1,15 @@
 /** Reads the meshes of an object or a geometry: their vertices and triangles, z up. */
 import { BufferAttribute, Matrix4, Mesh, Vector3 } from "three";
 import { ModelError } from "starlogo-collision";
-import { ModelData, textOf, vectorOf } from "./arguments.js";
+import { ModelData, textOf, vectorOf, warnings } from "./arguments.js";
 import { Welder } from "./welder.js";
 
 /** The matrix of a source whose own transform does not count. */
 export const identity = new Matrix4();
 
-/** Computes the matrices of an object and of everything below it, and of the bones of its meshes, which may be elsewhere. */
-export function updateMatrices(object) {
+/** Computes the matrices of a model's object and of everything below it, and of the bones of its meshes, which may be elsewhere. */
+export function updateMatrices(name, object) {
+	warnings?.requireSkeletons(name, object);
 	object.updateWorldMatrix(true, false);
 	object.updateMatrixWorld();
 	object.traverse(({ isSkinnedMesh, skeleton }) => {
@@ -83,7 +84,7 @@ function collectInstances(name, source, isPlaced) {
 	if (source?.isBufferGeometry) {
 		addMesh(new Mesh(source), identity);
 	} else if (source?.isObject3D) {
-		updateMatrices(source);
+		updateMatrices(name, source);
 		eachMesh(source, isPlaced ? source.matrix : identity, addMesh);
 	} else {
 		const hint = source?.scene?.isObject3D ? ". Its scene is an Object3D" : "";

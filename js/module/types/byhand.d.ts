@@ -81,8 +81,12 @@ export type AgentOf<Breeds, Name> = Name extends "*terrain" | "*edge" ? Agent : 
 /** A name in a filter's `breeds` or `exceptBreeds`. A name that the compiler knows has to be one of the game's breeds, if their classes are known. */
 export type NamedBreed<Breeds, Name extends string> = string extends Name ? Name : [Name] extends [BreedOf<Breeds>] ? Name : BreedOf<Breeds>;
 
-/** What a question finds: agents of a class, and if the compiler knows the names in the filter's `breeds`, only those of these breeds. */
-export type Found<FoundAgent, Breeds, Name> = string extends Name ? FoundAgent : Extract<FoundAgent, AgentOf<Breeds, Name>>;
+/** What a question finds: agents of a class, and if the compiler knows the names in the filter's `breeds` or `exceptBreeds`, only those that it leaves. */
+export type Found<FoundAgent, Breeds, Name, ExceptName> = string extends Name ? NotExcepted<FoundAgent, Breeds, ExceptName> : Extract<FoundAgent, AgentOf<Breeds, Name>>;
+
+/** Agents without those of some breeds. If there is a plain Agent among them, as the ground's is, it may be any, so nothing is left out. */
+export type NotExcepted<FoundAgent, Breeds, ExceptName> = string extends ExceptName ? FoundAgent
+	: Agent extends FoundAgent | AgentsOf<Breeds> ? FoundAgent : Extract<FoundAgent, AgentOf<Breeds, Exclude<keyof Breeds, ExceptName>>>;
 
 /** An agent of the game, or the ground's, which is a plain Agent: `terrain.agent`. If the game has classes, `instanceof` tells them apart. */
 export type OrGround<GameAgent extends Agent = Agent> = GameAgent | Agent;

@@ -62,7 +62,7 @@ const FILTERING = "Name extends string = string, ExceptName extends string = str
 const findingOf = (agent) => `<FoundAgent extends ${agent} = ${agent}, ${FILTERING}`;
 
 /** What a question finds, and its filter. */
-const FOUND = "Found<FoundAgent, Breeds, Name>";
+const FOUND = "Found<FoundAgent, Breeds, Name, ExceptName>";
 const FILTER_NAMES = "NamedBreed<Breeds, Name>, NamedBreed<Breeds, ExceptName>";
 const filterOf = (agent, found) => `AgentFilterInit<${agent}, ${found}, ${FILTER_NAMES}>`;
 

@@ -1,4 +1,5 @@
 /** What the adapter to three.js draws elsewhere than it collides, or cannot read. The adapter calls these functions itself. */
+import { $keepPose } from "./poses.mjs";
 import { $putAtOrigin } from "./shots.mjs";
 import { $restored } from "./snapshots.mjs";
 import { $distance, $placeOf, $rounded, $warn } from "./warn.mjs";
@@ -18,8 +19,9 @@ const $sources = /* @__PURE__ */ new WeakMap();
 /** The adapter's warnings: see Model.$internals. */
 export function $warningsForAdapters() {
 	return {
-		keepSource: $keepSource, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
+		keepSource: $keepSource, keepPose: $keepPose, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
 		placeIfFirst: $placeIfFirst, ofFirstUpdate: $warnOfFirstUpdate, placeIfMoved: $placeIfMoved, ofUpdateAgent: $warnOfUpdateAgent, errorOfVertex: $errorOfVertex,
+		requireSkeletons: $requireSkeletons,
 	};
 }
 
@@ -39,6 +41,14 @@ function $errorOfVertex(name, vertices, meshes) {
 	const meshName = mesh.object.name || mesh.object.geometry.name;
 	const place = vertices.slice(3 * vertex, 3 * vertex + 3).join(", ");
 	return new ModelError(name, meshName && `mesh "${meshName}"`, `vertex ${mesh.meshVertices[vertex - mesh.firstVertex]} of its geometry must be at finite numbers, not at (${place})`);
+}
+
+/** Refuses an object with a SkinnedMesh whose skeleton is not there: three.js would stop at it. */
+function $requireSkeletons(name, object) {
+	object.traverse((mesh) => {
+		if (!mesh.isSkinnedMesh || mesh.skeleton) return;
+		throw new ModelError(name, "", `the SkinnedMesh ${JSON.stringify(mesh.name)} has no skeleton: call mesh.bind(skeleton) first`);
+	});
 }
 
 /** Warns of a binding without the model that was made of the object, whose place and size in it are needed. */

@@ -6,8 +6,12 @@ import { $getOrInsert, $warn } from "./warn.mjs";
 /** After so many frames without a call the breeds are looked at. */
 const $LONG_SILENCE = 300;
 
-/** So many frames in turn with new agents alone are no accident. */
+/** So many frames in turn with new agents alone are no accident, nor so many in which others are there, and stay as they are. */
 const $MANY_FRAMES = 30;
+const $MANY_FRAMES_BESIDE = 300;
+
+/** Handlers for starts and ends: CollisionHandler.START and END. */
+const $LASTING = 5;
 
 /** The most breeds of a call that are compared with all others. */
 const $MOST_HINTS = 20;
@@ -29,12 +33,12 @@ export let $greatestId = -1;
 
 /**
  * Of a Collision that is updated: how many frames it called no handler from the first on, without end once it has called one; the
- * greatest id of the last list; how many lists in turn had new agents alone.
+ * greatest id of the last list; how many lists in turn had new agents alone, or beside others that stay; the sum of the revisions of these.
  */
 const $collisions = /* @__PURE__ */ new WeakMap();
 
 function $newCollision() {
-	return { silentFrames: 0, greatestId: Infinity, newFrames: 0 };
+	return { silentFrames: 0, greatestId: Infinity, newFrames: 0, revisions: 0 };
 }
 
 /** Whether a Collision was ever updated. */
@@ -105,22 +109,35 @@ function $warnOfBreed(breed, likely, agents) {
 }
 
 /**
- * Warns of lists whose agents are all made anew in each frame: starts and ends of touches, sweeps and walks are about the same agents.
- * Ids grow, so each agent of a list then has a greater one than all of the list before. It comes first, and refuses what is no agent.
+ * Warns of lists whose agents are all made anew in each frame: starts and ends of touches, sweeps and walks are about the same agents. A level and others that stay
+ * as they are may be among them; then agents of two breeds are new, and something lasts: handlers of starts or ends, or sweeps. Ids grow, so
+ * a new agent has a greater one than all of the list before. It comes first, and refuses what is no agent.
  */
 export function $warnOfNewAgents(collision, agents) {
 	const kept = $getOrInsert($collisions, collision, $newCollision);
-	let least = Infinity;
+	const newBreeds = new Set();
+	let lasts = (collision._handlers.all.phases & $LASTING) !== 0;
 	let greatest = -Infinity;
+	let others = 0;
+	let revisions = 0;
 	for (let i = 0; i < agents.length; i++) {
 		const id = agents[i]?.id;
 		if (id === undefined) $refuseNoAgent("Collision.update", agents);
-		if (id < least) least = id;
 		if (id > greatest) greatest = id;
+		if (id > kept.greatestId) {
+			newBreeds.add(agents[i].breed);
+			lasts ||= agents[i].sweeps;
+		} else {
+			others++;
+			revisions += agents[i].$revision;
+		}
 	}
-	kept.newFrames = least < Infinity && least > kept.greatestId ? kept.newFrames + 1 : 0;
-	kept.greatestId = least < Infinity ? greatest : Infinity;
+	const isAnew = others === 0 ? newBreeds.size > 0 : newBreeds.size > 1 && lasts && revisions === kept.revisions;
+	kept.newFrames = isAnew ? kept.newFrames + 1 : 0;
+	kept.revisions = revisions;
+	kept.greatestId = agents.length > 0 ? greatest : Infinity;
 	if (greatest > $greatestId) $greatestId = greatest;
-	if (kept.newFrames !== $MANY_FRAMES) return;
-	$warn(`all agents are new in ${$MANY_FRAMES} frames in turn, so no touch lasts, and nothing sweeps: make each agent once, and move it`);
+	if (kept.newFrames !== (others === 0 ? $MANY_FRAMES : $MANY_FRAMES_BESIDE)) return;
+	const whose = others === 0 ? "all agents" : `all agents of ${[...newBreeds].map((breed) => JSON.stringify(breed)).join(", ")}`;
+	$warn(`${whose} are new in ${kept.newFrames} frames in turn, so no touch lasts, and nothing sweeps: make each agent once, and move it`, "new agents");
 }

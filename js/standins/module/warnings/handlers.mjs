@@ -9,7 +9,7 @@ const $END = 4; // CollisionHandler.END
 const $MANY_ADDITIONS = 30;
 
 /** A game may have so many Collisions, whose updates count one by one: one frame is no more updates than these. */
-const $MOST_COLLISIONS = 8;
+export const $MOST_COLLISIONS = 8;
 
 /** The breeds that a handler was added for, as texts. */
 const $breedsOf = /* @__PURE__ */ new WeakMap();

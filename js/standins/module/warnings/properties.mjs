@@ -1,5 +1,6 @@
 /** Properties that a game sets and the engine does not read, and traits that a collision system does not look at. */
 import { $inheritedBy } from "../shown.mjs";
+import { $lookAtPoses } from "./poses.mjs";
 import { $changesBetween } from "./spelling.mjs";
 import { $getOrInsert, $rounded, $warn } from "./warn.mjs";
 
@@ -95,6 +96,7 @@ export function $warnOfLaterProperties(updated, agents) {
 		$lookAtTraits(collisionSystem, few);
 		$lookAtLevels(collisionSystem, few);
 	}
+	$lookAtPoses(collisionSystem, few);
 }
 
 /** Warns of an agent whose triangles decide, and whose model has none: rays and motions pass between its vertices. */
@@ -127,7 +129,7 @@ function $systemOf(updated) {
 }
 
 /** The name of a collision system's class. */
-function $typeOf(collisionSystem) {
+export function $typeOf(collisionSystem) {
 	return Object.getPrototypeOf(collisionSystem).constructor?.name;
 }
 

@@ -2,10 +2,14 @@
 import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
 import { $forgetShot } from "./shots.mjs";
+import { $lastWalk } from "./walks.mjs";
 import { $distance, $getOrInsert, $hasWarned, $placeOf, $warn } from "./warn.mjs";
 
 /** After so many frames without an update, or walks of one agent, the agents' places are compared. */
 const $LONG_WITHOUT_UPDATE = 300;
+
+/** After so many walks what carries the walker is looked at. */
+const $MANY_WALKS = 30;
 
 /** So many agents are compared. */
 const $MOST_PLACES = 100;
@@ -55,13 +59,26 @@ export function $warnOfStale(queries, agents, mover) {
 		if (mover === kept.walker) kept.walks++;
 	}
 	const frames = $updates - kept.updated;
+	const platform = kept.walks < $MANY_WALKS ? null : $movedBelow(queries, kept.walker);
+	if (platform) $reportStale(platform, `${kept.walks} motions of ${kept.walker}, which stands on it,`);
 	if (Math.max(frames, kept.walks) < $LONG_WITHOUT_UPDATE) return;
 	kept.places ??= kept.agents.slice(0, $MOST_PLACES).filter((agent) => agent).map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z }));
 	const moved = kept.places.find(({ agent, x, y, z }) => !kept.movers.has(agent) && (agent.x !== x || agent.y !== y || agent.z !== z));
 	if (!moved) return;
 	const since = frames < $LONG_WITHOUT_UPDATE ? `${kept.walks} motions of ${kept.walker}` : `${frames} frames`;
-	$warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${since} ago: `
+	$reportStale(moved.agent, since);
+}
+
+function $reportStale(agent, since) {
+	$warn(`questions see ${agent} where it was at the last queries.update(agents), ${since} ago: `
 		+ "call it once a frame, or refresh(agent)", "stale");
+}
+
+/** What a walker stood on after its last walk, if it has moved since questions have seen it; else null. */
+function $movedBelow({ $table: { listed, $places } }, walker) {
+	const { agent, footing } = $lastWalk ?? {};
+	const row = agent === walker && footing.on ? listed.rowOf(footing.on) : -1;
+	return row >= 0 && (footing.on.x !== $places.x[row] || footing.on.y !== $places.y[row] || footing.on.z !== $places.z[row]) ? footing.on : null;
 }
 
 /** Warns of a ground that has come since the last update of questions, if they have seen none: rays and walks go through it. */

@@ -27,7 +27,7 @@ function $newWalker({ z }) {
 }
 
 /** The last walk. It is looked at when the next one begins, because its Footing is written then. */
-let $lastWalk = null;
+export let $lastWalk = null;
 
 /** So many jumps of a platform below a walker, each no longer than this, are no accident. */
 const $MANY_JUMPS = 10;

@@ -16,8 +16,6 @@ import { functionsIn, isForTheGame, lineAt, problemsIn } from './client-problems
 const [out, folders, name = ''] = process.argv.slice(2);
 
 if (!folders) refuse('OUT and FOLDER must be given');
-const missing = folders.split(',').filter((folder) => !existsSync(folder));
-if (missing.length > 0) refuse(`-Dsources: there is no folder ${missing.map((folder) => path.resolve(folder)).join(', ')}`);
 const ownFolder = folders.split(',').find((folder) => existsSync(path.join(folder, 'starlogo/collision/Collision.as')));
 if (ownFolder) refuse(`-Dsources: ${path.resolve(ownFolder)} has the engine's own sources. Folders that do not begin with "/" count from the clone`);
 const files = new Map(folders.split(',').flatMap((folder) => {

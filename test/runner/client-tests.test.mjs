@@ -121,7 +121,6 @@ test('a name with a point chooses tests of a class', () => {
 });
 
 test('what is not there is named', () => {
-	assert.match(run('src,test').stderr, /there is no folder \/.*\/test\n/);
 	assert.match(run('src').stderr, /no file below src ends with Test\.as/);
 	const { status, stderr } = run('tests', 'bear');
 	assert.equal(status, 64);

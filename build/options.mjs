@@ -36,31 +36,37 @@ const given = new Map(process.argv.slice(2).flatMap((argument) => {
 const settings = readFileSync('src/evaluation/Settings.as', 'utf8');
 const namesOf = (list) => new RegExp(`${list}:Array = \\[([^\\]]*)\\]`).exec(settings)[1].match(/\w+/g);
 
-/** For each option whose value is checked: what is wrong with one of the parts between its commas, or nothing. */
+/** For each option whose value is checked: what is wrong with one of the parts between its commas, beside the others, or nothing. */
 const PROBLEMS = {
 	stall: (part) => !(Number(part) > 0 && Number(part) < Infinity) && `seconds above 0 are needed, not "${part}"`,
-	sources: (part) => !existsSync(part) && `there is no folder ${path.resolve(part)}`,
+	sources: problemOfFolder,
 	libraries: (part) => !existsSync(part) && `there is no file ${path.resolve(part)}`,
 	figures: (part) => problemOfName(part, namesOf('FIGURES')),
 	models: (part) => problemOfName(part, namesOf('MODELS')),
 	// with folders of the user's sources there may be more
-	colliders: (part) => !given.has('sources') && problemOfName(part, namesOf('COLLIDERS')),
+	colliders: (part) => !given.has('sources') && problemOfName(part, namesOf('COLLIDERS'), '; -Dsources= names the folder of a class of your own'),
 	agents: problemOfCount,
 	repetitions: problemOfCount,
 };
 for (const [name, value] of given) {
-	const part = value?.split(',').find((each) => PROBLEMS[name]?.(each));
+	const problem = value?.split(',').map((part, _, parts) => PROBLEMS[name]?.(part, parts)).find(Boolean);
 	if (!options.includes(name)) {
 		refuse(`there is no option -D${name}${thereIs(name, options, '-D')}`);
 	} else if (withValues.has(name) && !value) {
 		refuse(`-D${name} needs a value: -D${name}=...`);
-	} else if (part !== undefined) {
-		refuse(`-D${name}: ${PROBLEMS[name](part)}`);
+	} else if (problem) {
+		refuse(`-D${name}: ${problem}`);
 	}
 }
 
-function problemOfName(name, names) {
-	return !names.includes(name) && `there is no "${name}"${thereIs(name, names) || `; there are ${names}`}`;
+function problemOfFolder(folder, all) {
+	if (!existsSync(folder)) return `there is no folder ${path.resolve(folder)}`;
+	const outer = all.find((other) => /^(?!\.\.|$)/.test(path.relative(other, folder)));
+	return outer && `${folder} is in ${outer}. Name only the folder in which the packages of its classes begin`;
+}
+
+function problemOfName(name, names, farther = `; there are ${names}`) {
+	return !names.includes(name) && `there is no "${name}"${thereIs(name, names) || farther}`;
 }
 
 function problemOfCount(text) {

@@ -140,10 +140,13 @@ function earlierTests(ofPlayer) {
 /** Notes and says what has ended the player. A test that a late error of an earlier one has stopped can run again. */
 function failPlayer(ofPlayer) {
 	const earlier = earlierTests(ofPlayer);
-	if (earlier.length === 0) return fail(now, `FAILED ${now}: ${reason}`);
-	const name = `a late error, during ${now}`;
-	fail(name, `FAILED ${name}: ${reason}; perhaps of a timer or listener of an earlier test. Before it ran ${earlier.join(', ')}`);
-	return begun.delete(now);
+	if (earlier.length === 0) {
+		fail(now, `FAILED ${now}: ${reason}`);
+	} else {
+		const name = `a late error, during ${now}`;
+		fail(name, `FAILED ${name}: ${reason}; perhaps of a timer or listener of an earlier test. Before it ran ${earlier.join(', ')}`);
+		begun.delete(now);
+	}
 }
 
 /** Plays the tests that are left. If something ends the player before their end, another one plays the rest. */

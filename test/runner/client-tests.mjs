@@ -47,8 +47,9 @@ const functions = new Map(classes.map((each) => [each, functionsOf(each)]));
 /** The class among the sources that a class extends, by its qualified name. */
 function baseOf(name, text) {
 	const [, base] = /^[^*/\n]*\bclass\s+\w+\s+extends\s+([\w.]+)/m.exec(text) ?? [];
-	const beside = name.replace(/\w+$/, base);
-	return [beside, ...sources.keys()].find((each) => each !== name && sources.has(each) && `.${each}`.endsWith(`.${base}`));
+	const isMeant = (each) => each === base || each === name.replace(/\w+$/, base)
+		|| each.endsWith(`.${base}`) && [each, each.replace(/\w+$/, '*')].some((imported) => text.includes(`import ${imported}`));
+	return [...sources.keys()].find((each) => each !== name && isMeant(each));
 }
 
 /** The functions of a class and of those that it extends, with their files. */

@@ -93,9 +93,12 @@ test('a tag that is nearly one of FlexUnit\'s is named, and so is a class with t
 	writeFileSync(path.join(folder, 'tests/game/world/TurtleBase.as'), 'public class TurtleBase\n{\n[Test] public function inherited():void {}\n[Test] public function swims():void {}\n');
 	assert.equal(run('src,tests').stderr, ['tests/game/world/LateTests.as: warning: has [Test], but its name does not end with Test, so it is left out',
 		'tests/game/world/TurtleTest.as:3: warning: swims() has [Tset], which FlexUnit does not know; is [Test] meant?', ''].join('\n'));
+	// classes of the same name as the one that they extend do not go round in a circle
+	for (const each of ['src/game', 'tests/game']) writeFileSync(path.join(folder, each, 'TurtleBase.as'), 'import other.TurtleBase;\npublic class TurtleBase extends TurtleBase {}');
+	assert.equal(run('src,tests').status, 0);
 	// a test that a class inherits has the place of its function
 	assert.equal(readFileSync(path.join(folder, 'out/tests.txt'), 'utf8'), 'game.world.TurtleTest.inherited (tests/game/world/TurtleBase.as:3)\n');
-	for (const each of ['LateTests', 'TurtleBase']) rmSync(path.join(folder, `tests/game/world/${each}.as`));
+	for (const each of ['src/game/TurtleBase', 'tests/game/TurtleBase', 'tests/game/world/LateTests', 'tests/game/world/TurtleBase']) rmSync(path.join(folder, `${each}.as`));
 	writeFileSync(file, '');
 });
 

@@ -1,16 +1,17 @@
 #!/usr/bin/env node
 /**
- * Checks the options (-Dname=value) of ./antw. Options are the names that the targets' descriptions have: the build's own properties,
- * such as the folders that it empties, are none. A name that is no option is refused, with the nearest option. An option that has a
- * value in some description is refused without one. After --no-target the program says which target is nearest to one that Ant has not
- * found, or which ones have its name in their descriptions.
+ * Checks the options (-Dname=value) of ./antw before anything is made. Options are the names that the targets' descriptions have: the
+ * build's own properties, such as the folders that it empties, are none. A name that is no option is refused, with the nearest option. An
+ * option that has a value in some description is refused without one. So is a value that can be none of its option's. After --no-target the
+ * program says which target is nearest to one that Ant has not found, or which ones have its name in their descriptions.
  *
- *   node build/options.mjs NAME= | NAME ...
+ *   node build/options.mjs -DNAME=VALUE | -DNAME | OTHER ...
  *   node build/options.mjs --no-target TARGET
  *
- * Names with a dot may be Ant's own, so they pass. Ends with status 64 if an option is refused.
+ * Names with a dot may be Ant's own, so they pass, and so does what is no option. Ends with status 64 if an option is refused.
  */
-import { readFileSync, readdirSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import path from 'node:path';
 import { thereIs } from './nearest.mjs';
 
 const files = ['build.xml', ...readdirSync('build').filter((file) => file.endsWith('.xml')).map((file) => `build/${file}`)];
@@ -28,13 +29,48 @@ if (flag === '--no-target') {
 	refuse(`there is no target ${target}${saying.length > 0 ? `; see ${saying.join(', ')}` : near}`);
 	process.exit();
 }
-for (const option of process.argv.slice(2).filter((each) => !each.includes('.'))) {
-	const [name, value] = option.split('=');
+const given = new Map(process.argv.slice(2).flatMap((argument) => {
+	const [, name, value] = /^-D([^.=]+)(?:=(.*))?$/s.exec(argument) ?? [];
+	return name ? [[name, value]] : [];
+}));
+const settings = readFileSync('src/evaluation/Settings.as', 'utf8');
+const namesOf = (list) => new RegExp(`${list}:Array = \\[([^\\]]*)\\]`).exec(settings)[1].match(/\w+/g);
+
+/** For each option whose value is checked: what is wrong with one of the parts between its commas, beside the others, or nothing. */
+const PROBLEMS = {
+	stall: (part) => !(Number(part) > 0 && Number(part) < Infinity) && `seconds above 0 are needed, not "${part}"`,
+	sources: problemOfFolder,
+	libraries: (part) => !existsSync(part) && `there is no file ${path.resolve(part)}`,
+	figures: (part) => problemOfName(part, namesOf('FIGURES')),
+	models: (part) => problemOfName(part, namesOf('MODELS')),
+	// with folders of the user's sources there may be more
+	colliders: (part) => !given.has('sources') && problemOfName(part, namesOf('COLLIDERS'), '; -Dsources= names the folder of a class of your own'),
+	agents: problemOfCount,
+	repetitions: problemOfCount,
+};
+for (const [name, value] of given) {
+	const problem = value?.split(',').map((part, _, parts) => PROBLEMS[name]?.(part, parts)).find(Boolean);
 	if (!options.includes(name)) {
 		refuse(`there is no option -D${name}${thereIs(name, options, '-D')}`);
-	} else if (withValues.has(name) && value === undefined) {
+	} else if (withValues.has(name) && !value) {
 		refuse(`-D${name} needs a value: -D${name}=...`);
+	} else if (problem) {
+		refuse(`-D${name}: ${problem}`);
 	}
+}
+
+function problemOfFolder(folder, all) {
+	if (!existsSync(folder)) return `there is no folder ${path.resolve(folder)}`;
+	const outer = all.find((other) => /^(?!\.\.|$)/.test(path.relative(other, folder)));
+	return outer && `${folder} is in ${outer}. Name only the folder in which the packages of its classes begin`;
+}
+
+function problemOfName(name, names, farther = `; there are ${names}`) {
+	return !names.includes(name) && `there is no "${name}"${thereIs(name, names) || farther}`;
+}
+
+function problemOfCount(text) {
+	return !/^[1-9]\d*$/.test(text) && `numbers of at least 1 are needed, not "${text}"`;
 }
 
 function refuse(problem) {

@@ -49,6 +49,9 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	const ofExec = ['BUILD FAILED', '/a/build/module.xml:9: exec returned: 1', '', 'Total time: 8 seconds'];
 	assert.equal(runAnt(['FAILED ATest.is: 1, not 2', '', ...ofExec], 1).stdout.split('seconds\n')[1], '\nFAILED ATest.is: 1, not 2\n');
 	assert.equal(runAnt(ofExec, 1).stdout.split('seconds\n')[1], '\nexec returned: 1\n');
+	const refused = ['-begin:', '-Dcompare: there is no file a.json', '', 'BUILD FAILED', '/a/build/timing.xml:9: exec returned: 64', '', 'Total time: 8 seconds'];
+	assert.equal(runAnt(refused, 1).stdout.split('seconds\n')[1], '\n-Dcompare: there is no file a.json\n');
+	assert.doesNotMatch(runAnt(['Result: 70', ...ofExec], 1).stdout, /Result/);
 	const twice = ['/c/A.as(3): col: 5 Error: one', '    x++;', '/c/A.as(9): col: 5 Error: two', '    x++;'];
 	for (const [long, length] of [[`FAILED ATest.is: ${'1, not 2; '.repeat(100)}`, 299], [`FAILED ATest.is: ${'1,'.repeat(300)}`, 300]]) {
 		const cut = `${long.slice(0, length)}... (the whole line: bin/test-reports/failures.txt)\n`;
@@ -107,10 +110,10 @@ test('the list of targets leaves a run in the same folder its counts, and prints
 	rmSync(path.dirname(counts), { recursive: true });
 });
 
-test('an option reaches its check with a sign of whether it has a value', () => {
+test('an option reaches its check as it was given', () => {
 	mkdirSync(path.join(home, 'build'), { recursive: true });
 	writeFileSync(path.join(home, 'build/options.mjs'), 'console.log(...process.argv.slice(2));');
-	assert.match(runAnt([], 0, 'test', '-Dtest=a=b', '-Dfull').stdout, /^test= full\n/);
+	assert.match(runAnt([], 0, 'test', '-Dtest=a b', '-Dfull').stdout, /^test -Dtest=a b -Dfull\n/);
 	rmSync(path.join(home, 'build'), { recursive: true });
 });
 
@@ -223,17 +226,31 @@ test('a name that is no option is refused, with the nearest, and so is an option
 		const { status, stderr } = spawnSync(process.execPath, ['build/options.mjs', ...names], { cwd: root, encoding: 'utf8' });
 		return [status, stderr];
 	};
-	assert.deepEqual(check('figure='), [64, 'antw: there is no option -Dfigure; there is -Dfigures\n']);
-	assert.deepEqual(check('compar=', 'xyzzy'), [64, 'antw: there is no option -Dcompar; there is -Dcompare\nantw: there is no option -Dxyzzy\n']);
-	assert.deepEqual(check('test=', 'full', 'full=', 'node', 'single', 'ant.logger.defaults'), [0, '']);
-	assert.deepEqual(check('test'), [64, 'antw: -Dtest needs a value: -Dtest=...\n']);
+	assert.deepEqual(check('-Dfigure=a'), [64, 'antw: there is no option -Dfigure; there is -Dfigures\n']);
+	assert.deepEqual(check('-Dcompar=a', '-Dxyzzy'), [64, 'antw: there is no option -Dcompar; there is -Dcompare\nantw: there is no option -Dxyzzy\n']);
+	assert.deepEqual(check('-Dtest=a b', '-Dfull', '-Dfull=', '-Dnode', '-Dsingle', '-Dant.logger.defaults', 'test', '-Dstall=1.5', '-Dmodels=bear,cube', '-Dsources=src', '-Dcolliders=MyCollider'), [0, '']);
+	for (const empty of ['-Dtest', '-Dtest=']) assert.deepEqual(check(empty), [64, 'antw: -Dtest needs a value: -Dtest=...\n']);
 	// folders that the build empties
-	for (const own of ['transpiled', 'module', 'bin', 'swc', 'dist', 'stamps', 'samples', 'generated']) assert.match(check(`${own}=`)[1], new RegExp(`^antw: there is no option -D${own}\\b`));
-	assert.doesNotMatch(check('modul=')[1], /-Dmodule/);
+	for (const own of ['transpiled', 'module', 'bin', 'swc', 'dist', 'stamps', 'samples', 'generated']) assert.match(check(`-D${own}=a`)[1], new RegExp(`^antw: there is no option -D${own}\\b`));
+	assert.doesNotMatch(check('-Dmodul=a')[1], /-Dmodule/);
 	assert.deepEqual(check('--no-target', 'clienttest'), [64, 'antw: there is no target clienttest; there is client-test\n']);
 	assert.deepEqual(check('--no-target', 'report'), [64, 'antw: there is no target report; see timing\n']);
 	// every option that a page names is one
+	const VALUES = { stall: 1, sources: 'src', libraries: 'antw', figures: 'fits', models: 'bear', agents: 1, repetitions: 1 };
 	const named = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).flatMap((file) => [...read(`docs/${file}`).matchAll(/[ `]-D([a-z]+)\b(?!\.)/g)].map(([, name]) => name));
 	assert.ok(named.length > 50);
-	assert.deepEqual(check(...new Set(named.map((name) => `${name}=`))), [0, '']);
+	assert.deepEqual(check(...new Set(named.map((name) => `-D${name}=${VALUES[name] ?? 'a'}`))), [0, '']);
+});
+
+test('a value that can be none of its option\'s is refused before anything is made', () => {
+	const said = (...options) => spawnSync(process.execPath, ['build/options.mjs', 'timing', ...options], { cwd: root, encoding: 'utf8' }).stderr.replace(/^antw: /gm, '');
+	for (const wrong of ['abc', '1.5s', '0', '-5', 'Infinity']) assert.equal(said(`-Dstall=${wrong}`), `-Dstall: seconds above 0 are needed, not "${wrong}"\n`);
+	assert.equal(said('-Drepetitions=0'), '-Drepetitions: numbers of at least 1 are needed, not "0"\n');
+	assert.equal(said('-Dagents=10,1.5'), '-Dagents: numbers of at least 1 are needed, not "1.5"\n');
+	assert.equal(said('-Dcolliders=BinColider'), '-Dcolliders: there is no "BinColider"; there is BinCollider\n');
+	assert.equal(said('-Dcolliders=my.Own'), '-Dcolliders: there is no "my.Own"; -Dsources= names the folder of a class of your own\n');
+	assert.equal(said('-Dmodels=bear,cub'), '-Dmodels: there is no "cub"; there is cube\n');
+	assert.match(said('-Dfigures=xyzzy'), /^-Dfigures: there is no "xyzzy"; there are volumes,fits,.*,monitor\n$/);
+	assert.equal(said('-Dsources=src/client,test,src,src'), '-Dsources: src/client is in src. Name only the folder in which the packages of its classes begin\n');
+	assert.equal(said('-Dsources=src,/no/folder', '-Dlibraries=/no/file.swc'), '-Dsources: there is no folder /no/folder\n-Dlibraries: there is no file /no/file.swc\n');
 });

@@ -1,4 +1,5 @@
 /** What a client's test class has: its functions, and what does not run as it was meant. */
+import { $isProbablyMisspelt } from '../../js/standins/module/warnings/spelling.mjs';
 
 /** A mark of a class: [Suite], perhaps more metadata, and the words before "class". */
 const MARKED_CLASS = /\[(Suite|RunWith|Ignore)\b[^\]]*\]\s*(?:\[[^\]]*\]\s*)*(?:\w+\s+)*class\b/g;
@@ -43,12 +44,20 @@ export function isForTheGame(text) {
 	return /\bclass\b/.test(source) && !/\[(Test|Theory|Suite|RunWith)\b|\bextends\b/.test(source) && problemsIn(text).length === 0;
 }
 
+/** Whether a text marks functions as tests. */
+export function hasTests(text) {
+	return /\[Test\b/.test(codeOf(text));
+}
+
 /** What is wrong with a function, or null. Classes of old versions of FlexUnit, which extend TestCase, need no [Test]. */
 function problemOf({ metadata, words, name, parameters, type = 'void' }, isOld) {
 	const [, written] = TAG.exec(metadata) ?? [];
 	const tag = TAGS.find((known) => known.toLowerCase() === written?.toLowerCase());
 	const isPublic = /\bpublic\b/.test(words);
 	if (!tag) {
+		const near = (word) => TAGS.find((known) => $isProbablyMisspelt(word.toLowerCase(), known.toLowerCase()));
+		const misspelt = [...metadata.matchAll(/\[(\w+)/g)].map(([, word]) => word).find(near);
+		if (misspelt) return { said: `${name}() has [${misspelt}], which FlexUnit does not know; is [${near(misspelt)}] meant?`, isError: false };
 		const isForgotten = !isOld && metadata === '' && isPublic && /^test[A-Z]/.test(name);
 		return isForgotten ? { said: `${name}() has no [Test], so FlexUnit does not run it`, isError: false } : null;
 	}

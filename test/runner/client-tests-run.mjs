@@ -20,6 +20,9 @@ const TIMES = 10;
 /** So often the player is started at most. */
 const MOST_STARTS = 10;
 
+/** So many lines of what a test traces are shown. */
+const MOST_LINES = 1000;
+
 /** The exit status of a SWF that stalls. */
 const FAILED = 70;
 
@@ -39,32 +42,51 @@ let run;
 let now;
 let limit;
 let reason;
+/** The lines that were traced since something began or failed. */
+let lines = 0;
 let isStackOfRunner = false;
 
-/** Reads a line of the reporter that test/runner/client-tests.mjs writes. Gives whether to show it. */
+/** Reads a line of the reporter that test/runner/client-tests.mjs writes, or shows one of a test. */
 function readTrace(line) {
-	const [, isIgnored, test] = /^ {2}\d+\/\d+ (ignored: )?(.+)$/.exec(line) ?? [];
-	const [, tag, name] = /^ {2}@(tests|test|now)(?: (.+))?$/.exec(line) ?? [];
-	if (test) {
-		begun.add(test);
-		if (isIgnored) ignored.add(test);
-	} else if (tag === 'tests') left().forEach((each) => tests.delete(each));
+	const [, tag, name] = /^ {2}@(tests|test|begin|ignore|now)(?: (.+))?$/.exec(line) ?? [];
+	if (tag === 'tests') left().forEach((each) => tests.delete(each));
 	else if (tag === 'test') tests.add(name);
-	else if (line.startsWith('FAILED ')) fail(line.slice(7).split(': ')[0]);
-	if (test || tag === 'now') begin(test ?? name);
-	return !tag && !isOfRunner(line);
+	else if (tag) begin(name, tag);
+	else if (line.startsWith('FAILED ')) fail(line.slice(7).split(': ')[0], line);
+	else if (!isOfRunner(line)) show(line);
 }
 
-/** Notes what failed. No test of a class can run if its static initialiser fails, or if what is before them ends the player. */
-function fail(name) {
+/** Shows a line that a test traces. Of very many the first are shown. */
+function show(line) {
+	lines++;
+	if (lines <= MOST_LINES) console.log(line);
+}
+
+/** Says how many lines were not shown. Those that follow are of something else. */
+function endLines() {
+	if (lines > MOST_LINES) console.log(`... and ${lines - MOST_LINES} lines more`);
+	lines = 0;
+	isStackOfRunner = false;
+}
+
+/** Notes and says what failed. No test of a class can run if its static initialiser fails, or if what is before them ends the player. */
+function fail(name, said) {
+	endLines();
+	console.log(said);
 	failed.add(name);
 	const [, className] = /^(\S+)(?:, static initialiser| \[BeforeClass\])/.exec(name) ?? [];
 	if (className) closed.add(className);
 }
 
-/** Notes what runs now, and how long it may. */
-function begin(name) {
+/** Notes and says what runs now: a test if the tag is "begin" or "ignore". Ends it if it takes too long. */
+function begin(name, tag) {
+	endLines();
 	now = name;
+	if (tag !== 'now') {
+		begun.add(name);
+		if (tag === 'ignore') ignored.add(name);
+		console.log(`  ${begun.size}/${tests.size} ${tag === 'ignore' ? 'ignored: ' : ''}${name}`);
+	}
 	clearTimeout(limit);
 	limit = setTimeout(() => {
 		reason = `did not end within ${TIMES * seconds} s, ${TIMES} times -Dstall, though it traced meanwhile`;
@@ -84,7 +106,9 @@ function reasonIn(line) {
 	const [, message] = /^headless: (.+)$/.exec(line) ?? [];
 	return message?.replace(/^the SWF stalled: (\S+ s) without a sign of life/, 'did not end within $1').replace('--stall', '-Dstall=SECONDS')
 		// the reporter calls it
-		.replace(', or has ended without Host.exit', '');
+		.replace(', or has ended without Host.exit', '')
+		// FlexUnit calls tests in such an event, and catches Errors
+		.replace(/^the SWF threw: Error dispatching event "timerComplete": (?!\w*Error\b)/, 'the test threw what is no Error: ');
 }
 
 /** A test without its place. */
@@ -108,11 +132,21 @@ function namesOf(some) {
 	return [...new Set(some.map((test) => (inParts.includes(classOf(test)) ? nameOf(test) : classOf(test))))];
 }
 
-/** Of an error that no call of a test was there for: which of the tests of this player may have left a timer or a listener. */
+/** If the player has ended by an error of a timer or a listener: the tests of this player that may have left it, the last ones. */
 function earlierTests(ofPlayer) {
-	const earlier = ofPlayer.map(nameOf).filter((test) => test !== nameOf(now));
-	if (earlier.length === 0 || !/^the SWF threw: Error (in|dispatching event (?!"timerComplete"))/.test(reason)) return '';
-	return `; perhaps of a timer or listener of an earlier test. Before it ran ${earlier.slice(-3).join(', ')}`;
+	return /^the SWF threw: Error (in|dispatching)/.test(reason) ? ofPlayer.filter((test) => test !== now && !ignored.has(test)).map(nameOf).slice(-3) : [];
+}
+
+/** Notes and says what has ended the player. A test that a late error of an earlier one has stopped can run again. */
+function failPlayer(ofPlayer) {
+	const earlier = earlierTests(ofPlayer);
+	if (earlier.length === 0) {
+		fail(now, `FAILED ${now}: ${reason}`);
+	} else {
+		const name = `a late error, during ${now}`;
+		fail(name, `FAILED ${name}: ${reason}; perhaps of a timer or listener of an earlier test. Before it ran ${earlier.join(', ')}`);
+		begun.delete(now);
+	}
 }
 
 /** Plays the tests that are left. If something ends the player before their end, another one plays the rest. */
@@ -121,20 +155,20 @@ function play(start) {
 	// FlexUnit fails a class of which it is to run nothing, so a class that is done is left out by its name
 	const without = [...closed, ...namesOf([...begun])].join(',');
 	reason = '';
+	const calls = [];
 	run = spawn(process.execPath, [player, swf, '--stall', seconds, '--param', `without=${without}`], { stdio: ['ignore', 'pipe', 'pipe'] });
-	begin('the SWF');
-	createInterface({ input: run.stdout }).on('line', (line) => {
-		if (readTrace(line)) console.log(line);
-	});
+	begin('the SWF', 'now');
+	createInterface({ input: run.stdout }).on('line', readTrace);
 	createInterface({ input: run.stderr }).on('line', (line) => {
 		reason ||= reasonIn(line) ?? '';
-		if (!reasonIn(line) && !isOfRunner(line)) console.log(line);
+		if (!reasonIn(line) && !isOfRunner(line)) calls.push(line);
 	});
 	run.on('close', (status) => {
 		clearTimeout(limit);
+		endLines();
+		if (reason) failPlayer([...begun].slice(begunBefore));
+		calls.forEach((line) => console.log(line));
 		if (!reason) return end(start > 1 ? FAILED : status || Number(failed.size > 0));
-		console.log(`FAILED ${now}: ${reason}${earlierTests([...begun].slice(begunBefore))}`);
-		fail(now);
 		const isFarther = begun.size > begunBefore || closed.size > closedBefore;
 		if (left().length === 0 || !isFarther || start === MOST_STARTS) return end(FAILED);
 		console.log(`the player starts again for the tests that are left: ${left().length}`);

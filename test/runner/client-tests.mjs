@@ -11,24 +11,27 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import path from 'node:path';
 import { refuse } from '../../build/refuse.mjs';
 import { choose, testsBefore } from './chosen.mjs';
-import { functionsIn, isForTheGame, lineAt, problemsIn } from './client-problems.mjs';
+import { functionsIn, hasTests, isForTheGame, lineAt, problemsIn } from './client-problems.mjs';
 
 const [out, folders, name = ''] = process.argv.slice(2);
 
 if (!folders) refuse('OUT and FOLDER must be given');
-const missing = folders.split(',').filter((folder) => !existsSync(folder));
-if (missing.length > 0) refuse(`-Dsources: there is no folder ${missing.map((folder) => path.resolve(folder)).join(', ')}`);
 const ownFolder = folders.split(',').find((folder) => existsSync(path.join(folder, 'starlogo/collision/Collision.as')));
 if (ownFolder) refuse(`-Dsources: ${path.resolve(ownFolder)} has the engine's own sources. Folders that do not begin with "/" count from the clone`);
 const files = new Map(folders.split(',').flatMap((folder) => {
-	const own = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('Test.as'));
+	const own = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('.as'));
 	return own.map((file) => [file.slice(0, -3).split(path.sep).join('.'), path.join(folder, file)]);
 }));
-const texts = new Map([...files].sort().map(([each, file]) => [each, readFileSync(file, 'utf8')]));
-for (const [each, text] of texts) {
-	if (!isForTheGame(text)) continue;
-	console.error(`${files.get(each)}: has no [Test], so it is left out`);
-	texts.delete(each);
+const sources = new Map([...files].sort().map(([each, file]) => [each, readFileSync(file, 'utf8')]));
+const bases = new Map([...sources].map(([each, text]) => [each, baseOf(each, text)]));
+const texts = new Map([...sources].filter(([each]) => each.endsWith('Test')));
+for (const [each, text] of sources) {
+	if (texts.has(each) && isForTheGame(text)) {
+		console.error(`${files.get(each)}: has no [Test], so it is left out`);
+		texts.delete(each);
+	} else if (!each.endsWith('Test') && hasTests(text) && ![...bases.values()].includes(each)) {
+		console.error(`${files.get(each)}: warning: has [Test], but its name does not end with Test, so it is left out`);
+	}
 }
 const all = [...texts.keys()];
 const chosen = name === '' ? new Map(all.map((each) => [each, null])) : choose(name, texts, new Map()).tests;
@@ -39,7 +42,22 @@ if (classes.length === 0) {
 		: `no class and no test matches -Dtest=${name}; there are ${(near.length > 0 ? near : all).join(', ')}`);
 }
 
-const functions = new Map(classes.map((each) => [each, functionsIn(texts.get(each))]));
+const functions = new Map(classes.map((each) => [each, functionsOf(each)]));
+
+/** The class among the sources that a class extends, by its qualified name. */
+function baseOf(name, text) {
+	const [, base] = /^[^*/\n]*\bclass\s+\w+\s+extends\s+([\w.]+)/m.exec(text) ?? [];
+	const isMeant = (each) => each === base || each === name.replace(/\w+$/, base)
+		|| each.endsWith(`.${base}`) && [each, each.replace(/\w+$/, '*')].some((imported) => text.includes(`import ${imported}`));
+	return [...sources.keys()].find((each) => each !== name && isMeant(each));
+}
+
+/** The functions of a class and of those that it extends, with their files. */
+function functionsOf(name) {
+	const own = functionsIn(sources.get(name)).map((one) => ({ ...one, file: files.get(name) }));
+	const inherited = bases.get(name) === undefined ? [] : functionsOf(bases.get(name));
+	return [...own, ...inherited.filter((one) => !own.some((other) => other.name === one.name))];
+}
 
 /** The tag of a function that runs before or after all tests of its class. */
 const tagOf = ({ metadata }) => /\[(?:Before|After)Class\b/.exec(metadata)?.[0].concat(']');
@@ -51,10 +69,11 @@ const tagOf = ({ metadata }) => /\[(?:Before|After)Class\b/.exec(metadata)?.[0].
 function placesIn(name) {
 	const text = texts.get(name);
 	const own = functions.get(name);
-	const placeAt = (line) => `${files.get(name)}:${line}`.replaceAll('\\', '/');
+	const placeAt = ({ file, line }) => `${file}:${line}`.replaceAll('\\', '/');
 	const around = [...new Set(own.map(tagOf).filter(Boolean))]
-		.map((tag) => [`${name} ${tag}`, own.filter((one) => tagOf(one) === tag).map(({ line }) => placeAt(line)).join(' or ')]);
-	return [[name, placeAt(lineAt(text, text.search(/^[^*/\n]*\bclass\b/m)))], ...own.map((one) => [`${name}.${one.name}`, placeAt(one.line)]), ...around];
+		.map((tag) => [`${name} ${tag}`, own.filter((one) => tagOf(one) === tag).map(placeAt).join(' or ')]);
+	const begin = { file: files.get(name), line: lineAt(text, text.search(/^[^*/\n]*\bclass\b/m)) };
+	return [[name, placeAt(begin)], ...own.map((one) => [`${name}.${one.name}`, placeAt(one)]), ...around];
 }
 
 const problems = classes.flatMap((each) => problemsIn(texts.get(each)).map((problem) => ({ file: files.get(each), ...problem })));
@@ -180,6 +199,8 @@ class ByName extends OrderArgumentSorter
 `);
 writeFileSync(path.join(out, 'ClientTestsReporter.as'), `package
 {
+    import flash.display.Sprite;
+    import flash.events.Event;
     import flash.utils.getDefinitionByName;
     import headless.Host;
     import org.flexunit.runner.IDescription;
@@ -196,8 +217,10 @@ writeFileSync(path.join(out, 'ClientTestsReporter.as'), `package
         // of the functions that run before and after all tests of a class
         private static const TAGS:Object = ${asObject(tags)};
 
-        private var _count:int = 0;
-        private var _begun:int = 0;
+        // frames after the last test
+        private static const LAST_FRAMES:int = 5;
+
+        private var _frames:Sprite = new Sprite();
         private var _class:String = "";
         // tests of this class that have not begun
         private var _left:int = 0;
@@ -222,7 +245,6 @@ writeFileSync(path.join(out, 'ClientTestsReporter.as'), `package
             trace("  @tests");
             for each (var name:String in testsOf(description))
             {
-                _count++;
                 trace("  @test " + placed(name, name));
             }
         }
@@ -237,12 +259,12 @@ writeFileSync(path.join(out, 'ClientTestsReporter.as'), `package
 
         override public function testStarted(description:IDescription):void
         {
-            tellBegun("", description);
+            tellBegun("begin", description);
         }
 
         override public function testIgnored(description:IDescription):void
         {
-            tellBegun("ignored: ", description);
+            tellBegun("ignore", description);
             testFinished(description);
         }
 
@@ -262,15 +284,24 @@ writeFileSync(path.join(out, 'ClientTestsReporter.as'), `package
 
         override public function testRunFinished(result:Result):void
         {
-            Host.exit(result.successful && result.runCount > 0 ? 0 : 1);
+            trace("  @now the frames after the last test");
+            var left:int = LAST_FRAMES;
+            // a timer or a listener that the last test has left may throw
+            _frames.addEventListener(Event.ENTER_FRAME, function(event:Event):void
+                {
+                    left--;
+                    if (left == 0)
+                    {
+                        Host.exit(result.successful && result.runCount > 0 ? 0 : 1);
+                    }
+                });
         }
 
-        private function tellBegun(kind:String, description:IDescription):void
+        private function tellBegun(tag:String, description:IDescription):void
         {
-            _begun++;
             _left--;
             var name:String = nameOf(description);
-            trace("  " + _begun + "/" + _count + " " + kind + placed(name, name));
+            trace("  @" + tag + " " + placed(name, name));
         }
 
         private static function fail(what:String, why:String, error:Error):void

@@ -115,50 +115,65 @@ function runTraces(said, then = '', known = '') {
 }
 
 test('the last test that a client\'s SWF has begun is the one that did not end', { skip }, () => {
-	const said = ['  @test a.M.ends', '  @test a.M.hangs (M.as:7)', '  @test a.M.later', '  @test a.N.one', '  @test a.N.two', '  1/5 a.M.ends', '  2/5 a.M.hangs (M.as:7)'];
+	const said = ['  @test a.M.ends', '  @test a.M.hangs (M.as:7)', '  @test a.M.later', '  @test a.N.one', '  @test a.N.two', '  @begin a.M.ends', '  @begin a.M.hangs (M.as:7)'];
 	const { status, stdout, counts } = runClient(swf('hanging.swf', traced(said.join('\n'), LOOP.slice(2))));
 	assert.equal(status, 70);
 	assert.match(stdout, /^ {2}1\/5 a\.M\.ends\n {2}2\/5 a\.M\.hangs \(M\.as:7\)\nFAILED a\.M\.hangs \(M\.as:7\): did not end within 5 s, and no frame in the last \d+ s: .*\nthe player starts again for the tests that are left: 3\n[^]*\nnot run: a\.M\.later, a\.N\n/);
 	assert.equal(counts, '1 passed, 1 failed, 0 ignored, 3 not run');
 	// the build's own reporter calls Host.exit
-	const waiting = runClient(swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')));
+	const waiting = runClient(swf('waiting-client.swf', traced('  @begin game.MeetTest.waits')));
 	assert.match(waiting.stdout, /^FAILED game\.MeetTest\.waits: did not end within 5 s, but \d+ frames: it (?!.*Host)/m);
 });
 
 test('what hangs before the tests of a class does not fail the test that ended before', () => {
-	const said = ['  @test a.A.good', '  @test a.B.one', '  1/2 a.A.good', '  @now a.A [AfterClass]', '  @now a.B [BeforeClass] (B.as:6)'];
+	const said = ['  @test a.A.good', '  @test a.B.one', '  @begin a.A.good', '  @now a.A [AfterClass]', '  @now a.B [BeforeClass] (B.as:6)'];
 	const { status, stdout, counts } = runTraces(said, 'console.error("headless: the SWF stalled: 6 s without a sign of life, and no frame");');
 	assert.equal(status, 70);
 	assert.equal(stdout, `  1/2 a.A.good\nFAILED a.B [BeforeClass] (B.as:6): did not end within 6 s, and no frame\nnot run: a.B\n${counts}\n`);
 	assert.equal(counts, '1 passed, 1 failed, 0 ignored, 1 not run');
 });
 
-test('the tests after one that ends the player run in another, and a late error is not of the test alone', () => {
-	const begins = ['  @tests', '  @test a.A.one', '  @test a.A.two (A.as:7)', '  @test a.A.three', '  @test a.B.one', '  @test a.C.one', '  1/5 a.C.one', '  2/5 a.A.one', '  3/5 a.A.two (A.as:7)'];
-	const goesOn = ['  @now a.B, static initialiser', '  @tests', '  @test a.A.three', '  @test a.B.one', '  1/2 a.A.three', '  2/2 a.B.one'];
+test('a late error fails no test: the one that it stops runs again in another player, and so do those after it', () => {
+	const begins = ['  @tests', '  @test a.A.one', '  @test a.A.two (A.as:7)', '  @test a.B.one', '  @test a.C.no', '  @test a.C.one', '  @begin a.C.one', '  @ignore a.C.no', '  @begin a.A.one', '  @begin a.A.two (A.as:7)'];
+	const goesOn = ['  @now a.B, static initialiser', '  @tests', '  @test a.A.two (A.as:7)', '  @test a.B.one', '  @begin a.A.two (A.as:7)', 'FAILED a.A.two (A.as:7): 1, not 2', '  @begin a.B.one'];
 	const { status, stdout, counts } = runTraces([], `
 		const without = process.argv.find((each) => each.startsWith('without=')).slice(8);
 		console.log((without === '' ? ${JSON.stringify(begins)} : ['without ' + without, ...${JSON.stringify(goesOn)}]).join('\\n'));
-		if (without === '') console.error('headless: the SWF threw: Error in AVM2 timer callback: Error: later');`, 'a.A.one\na.A.noLonger\n');
+		if (without === '') console.error('headless: the SWF threw: Error in AVM2 timer callback: Error: later\\n\\tat a::A()');`, 'a.A.one\na.A.noLonger\n');
 	assert.equal(status, 70);
-	assert.match(stdout, /^FAILED a\.A\.two \(A\.as:7\): the SWF threw: Error in AVM2 timer callback: Error: later; perhaps of a timer or listener of an earlier test\. Before it ran a\.C\.one, a\.A\.one$/m);
-	assert.match(stdout, /^the player starts again for the tests that are left: 2\n\nwithout a\.C,a\.A\.one,a\.A\.two\n/m);
-	assert.equal(counts, '4 passed, 1 failed, 0 ignored, 0 not run');
+	assert.match(stdout, /^ {2}4\/5 a\.A\.two \(A\.as:7\)\nFAILED a late error, during a\.A\.two \(A\.as:7\): the SWF threw: Error in AVM2 timer callback: Error: later; perhaps of a timer or listener of an earlier test\. Before it ran a\.C\.one, a\.A\.one\n\tat a::A\(\)$/m);
+	assert.match(stdout, /^the player starts again for the tests that are left: 2\n\nwithout a\.C,a\.A\.one\n {2}4\/5 a\.A\.two \(A\.as:7\)\nFAILED a\.A\.two \(A\.as:7\): 1, not 2\n {2}5\/5 a\.B\.one\n/m);
+	assert.equal(counts, '3 passed, 2 failed, 1 ignored, 0 not run');
+});
+
+test('an error after the last test fails the run, and what a test throws that is no Error fails the test', () => {
+	const said = ['  @test a.A.on', '  @begin a.A.on', '  @now the frames after the last test'];
+	const throws = (what) => `console.error('headless: the SWF threw: Error dispatching event ${what}');`;
+	const late = runTraces(said, throws('"enterFrame": Error: late'));
+	assert.match(late.stdout, /^FAILED a late error, during the frames after the last test: the SWF threw: .* Before it ran a\.A\.on\n1 passed, 1 failed/m);
+	assert.equal(late.status, 70);
+	const own = runTraces(said.slice(0, 2), throws('"timerComplete": a string'));
+	assert.match(own.stdout, /^FAILED a\.A\.on: the test threw what is no Error: a string\n0 passed, 1 failed/m);
+});
+
+test('of very many lines that a client\'s test traces the first are shown', () => {
+	const { stdout } = runTraces(['  @test a.A.on', '  @test a.A.two', '  @begin a.A.on', ...Array(1234).fill('x'), '  @begin a.A.two', 'y']);
+	assert.match(stdout, /^ {2}1\/2 a\.A\.on\n(x\n){1000}\.\.\. and 234 lines more\n {2}2\/2 a\.A\.two\ny\n2 passed/m);
 });
 
 test('a client\'s test that traces without end is ended', () => {
-	const { status, stdout, counts } = runTraces(['  @test a.A.on', '  1/1 a.A.on'], 'setInterval(() => console.log("on"), 50);');
+	const { status, stdout, counts } = runTraces(['  @test a.A.on', '  @begin a.A.on'], 'setInterval(() => console.log("on"), 50);');
 	assert.equal(status, 70);
 	assert.match(stdout, /^FAILED a\.A\.on: did not end within 2 s, 10 times -Dstall, though it traced meanwhile$/m);
 	assert.equal(counts, '0 passed, 1 failed, 0 ignored, 0 not run');
 });
 
 test('of a stack that a client\'s SWF traces, FlexUnit\'s calls are left out, and a class that fails has passed no test', () => {
-	const said = ['FAILED a.B, static initialiser (B.as:3): no: none', '  @tests', '  @test a.A.on', '  1/1 a.A.on', 'Error: no', '\tat org.flexunit::Assert/fail()', '\tat a::A()',
-		'\tat org.flexunit.runners::Suite/run()', '\tat flash.events::EventDispatcher/dispatchEvent()', 'FAILED a.A.on: no'];
+	const said = ['FAILED a.B, static initialiser (B.as:3): no: none', '  @tests', '  @test a.A.on', '  @begin a.A.on', 'Error: no', '\tat org.flexunit::Assert/fail()', '\tat a::A()',
+		'\tat org.flexunit.runners::Suite/run()', '\tat flash.events::EventDispatcher/dispatchEvent()', 'FAILED a.A.on: no', '\tat a::A/on()'];
 	const { status, stdout } = runTraces(said, '', 'a.A.noLonger\na.B.one (B.as:5)\n');
 	assert.equal(status, 1);
-	assert.equal(stdout, 'FAILED a.B, static initialiser (B.as:3): no: none\n  1/1 a.A.on\nError: no\n\tat a::A()\nFAILED a.A.on: no\nnot run: a.B\n0 passed, 2 failed, 0 ignored, 1 not run\n');
+	assert.equal(stdout, 'FAILED a.B, static initialiser (B.as:3): no: none\n  1/2 a.A.on\nError: no\n\tat a::A()\nFAILED a.A.on: no\n\tat a::A/on()\nnot run: a.B\n0 passed, 2 failed, 0 ignored, 1 not run\n');
 });
 
 test('a file that is no SWF, or not all of one, is not played', () => {

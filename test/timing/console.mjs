@@ -43,6 +43,15 @@ export function comparison(changed, olderDate) {
 const GAMES = ['crowds', 'scattered'];
 const MODELS = ['fits', 'access', 'hierarchies'];
 
+/** How many times are left out, and of how many others the multiple; an empty text if none is. */
+export function countLeftOut(entries) {
+	const timed = entries.filter(({ unit }) => unit === 'ms');
+	const left = timed.filter(isLeftOut);
+	const times = left.filter(({ refused }) => refused).length;
+	const multiples = left.length - times;
+	return left.length === 0 ? '' : `${times} of ${timed.length} times${multiples > 0 ? `; of ${multiples} more the multiple alone` : ''}`;
+}
+
 /**
  * Names the entries that are left out, with a command for each figure that measures them again; or an empty text.
  *
@@ -58,7 +67,7 @@ export function repeats(entries, commit = '', sources = 'FOLDER') {
 	const commands = FIGURES.map(({ id }) => [id, left.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
 		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found, sources)} -Drepetitions=11`);
 	const where = commit.endsWith('-dirty') ? 'in a report of their own, as the clone has changes that are not committed. They replace the report that is there' : 'for the same report';
-	return ['Left out, as too noisy or contradictory:', ...left.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
+	return [`Left out, as too noisy or contradictory: ${countLeftOut(entries)}`, ...left.map((entry) => `    ${key(entry)}${entry.refused ? '' : ' (its multiple alone)'}`), `To measure them again, ${where}:`, ...commands].join('\n');
 }
 
 // The options that measure no more of a figure than these entries.

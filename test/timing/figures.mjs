@@ -30,7 +30,7 @@ export function measured(entry) {
 
 /** What times and multiples are. */
 export const MEDIANS = 'medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; if one end is much farther, − and + both'
-	+ ' ends. What has no range beside it is a median alone.';
+	+ ' ends. What has no range beside it is a median alone. A multiple is the median of ratios to the test in the same turns, and so not exactly the ratio of two medians.';
 
 /** Half of a range, as a part of its median; both parts of a range that is much longer on one side. */
 function spread(median, low, high) {
@@ -88,11 +88,12 @@ function colliderRows(entries) {
 		.filter((row) => row.slice(2).some(Boolean));
 }
 
-/** The crowd and the scattered game in which colliders are compared: those of docs/choosing.md, or the last that was measured. */
+/** The crowd and the scattered game in which colliders are compared: those of docs/choosing.md, or others of their casts, or the last that were measured. */
 function comparedGames(entries) {
 	return [['crowds', '100 bears'], ['scattered', '1000 mix']].flatMap(([figure, usual]) => {
-		const games = bySubject(entries.filter((entry) => entry.figure === figure));
-		return games.filter(([name]) => name === usual).concat(games.slice(-1)).slice(0, 1);
+		const games = bySubject(entries.filter((entry) => entry.figure === figure)).reverse();
+		const ofCast = games.filter(([subject]) => castOf({ subject }) === castOf({ subject: usual }));
+		return [...games.filter(([name]) => name === usual), ...ofCast, ...games].slice(0, 1);
 	});
 }
 
@@ -254,14 +255,14 @@ export function tablesOf(figure, entries, { wasDisturbed, isComplete = true }) {
 
 /** What a figure's note says of its table: the texts of the columns and the rows that are there. */
 export function noteOf({ note }, { head, rows }) {
-	const names = [...head[0], ...rows.map(([name]) => name)];
+	const names = [...head.flat(), ...rows.map(([name]) => name)];
 	return Object.entries(note).filter(([name]) => names.includes(name)).map(([, text]) => text).join(' ');
 }
 
 /** Every figure: its name, what it shows, how the lines of its head and its rows come from the entries, and what its note says of a column or row. */
 export const FIGURES = [
 	{
-		id: 'colliders', of: ['colliders', 'crowds', 'scattered'], title: 'Which collider to take: how often it is right, and how long a frame takes',
+		id: 'colliders', of: ['colliders', 'crowds', 'scattered'], title: 'Which collider to take',
 		head: (entries) => [['collider', 'take it', 'precision', 'recall', ...comparedGames(entries).flatMap(([name]) => [name, 'JIT'])],
 			['', '', '', '', ...comparedGames(entries).flatMap(([, found]) => [Object.values(found)[0].figure === 'crowds' ? 'together' : 'scattered', ''])]],
 		textColumns: 2,
@@ -269,7 +270,8 @@ export const FIGURES = [
 		see: ['docs/choosing.md', 'Choosing a collider'],
 		note: { precision: 'Precision: the share of the pairs it reports that touch. Recall: the share of the touching pairs that it reports. Exact mode says which'
 			+ ' touch, in the game of "Precision of shapes"; every other agent is hierarchical there.',
-		collider: 'A frame is that of a crowd and of a scattered game below, with one hierarchical agent in the CombinationCollider\'s.' },
+		together: 'Together: a frame of the crowd below, with one hierarchical agent in the CombinationCollider\'s.',
+		scattered: 'Scattered: a frame of the game below.' },
 	},
 	{
 		id: 'volumes', title: 'Figure 6-1: volumes of bounding structures, in cubic patches', ...VOLUMES,
@@ -339,7 +341,7 @@ export const FIGURES = [
 		textColumns: 2,
 		rows: gameRows,
 		more: AT_25_FRAMES,
-		note: { crowd: 'The engine\'s frames include bins, breeds and handlers.',
+		note: { crowd: 'The engine\'s frames include bins, breeds and handlers. -Dmodels chooses no crowds.',
 		literal: 'The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
 			+ ' (the thesis counts it twice), without these: so the literal BinCollider, a sphere test for each pair and no more, may take less.',
 		collider: 'One agent of the CombinationCollider\'s crowds is hierarchical. Pairs: those that collide. A test of all pairs: whether it finds the same.' },

@@ -1,21 +1,16 @@
 #!/usr/bin/env node
 /**
- * Notes the load of the machine before a timing run, and says so if it is too busy. Ends with status 64 if there is no such figure, or no
+ * Notes the load of the machine before a timing run, and says so if it is too busy. Ends with status 64 if there is no
  * such older report.
  *
- *   node test/timing/load.mjs folder [figure,figure] [older-report.json]
+ *   node test/timing/load.mjs folder [older-report.json]
  */
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { refuse } from '../../build/refuse.mjs';
 import { isBusy, load, machine } from './machine.mjs';
 import { olderReportOrEnd } from './older.mjs';
 
-const [folder, figures = '', older] = process.argv.slice(2);
-const settings = readFileSync(new URL('../../src/evaluation/Settings.as', import.meta.url), 'utf8');
-const known = /FIGURES:Array = \[([^\]]*)\]/.exec(settings)[1].match(/\w+/g);
-const unknown = figures.split(',').find((each) => each && !known.includes(each));
-if (unknown) refuse(`-Dfigures: there is no "${unknown}"; there are ${known}`);
+const [folder, older] = process.argv.slice(2);
 olderReportOrEnd(older);
 mkdirSync(folder, { recursive: true });
 const start = load();

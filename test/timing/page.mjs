@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
-import { repeats } from './console.mjs';
+import { countLeftOut, repeats } from './console.mjs';
 import { FIGURES, MEDIANS, bySubject, faster, measured, noteOf, tablesOf } from './figures.mjs';
 import { ratio } from './format.mjs';
 import { loadText, wasDisturbed } from './machine.mjs';
@@ -48,7 +48,7 @@ ${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 <footer>
 <p>Times are ${MEDIANS} “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines.</p>
-<p id="left-out">Noisy: the range of the time, or of the multiple, is wider than 30 % either way, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
+<p id="left-out">Noisy: half of the range of the time, or of the multiple, is more than 30 % of its median, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
 cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.</p>
 ${again(report)}
 <p>${report.load ? escape(loadText(report.load, report.machine.cores)) : ''}${report.earlierEntries ? ` ${earlierText(report)}` : ''}</p>
@@ -75,9 +75,8 @@ export function moduleText({ player, count, low, median, high }) {
 
 /** How many of the times are left out, if any is. */
 function leftOut(entries) {
-	const timed = entries.filter(({ unit }) => unit === 'ms');
-	const count = timed.filter(({ refused }) => refused).length;
-	return count === 0 ? '' : `<p>${count} of ${timed.length} times <a href="#left-out">${count === 1 ? 'is' : 'are'} left out</a>: noisy, or contradictory.</p>`;
+	const count = countLeftOut(entries);
+	return count === '' ? '' : `<p><a href="#left-out">Left out</a>, as too noisy or contradictory: ${count}.</p>`;
 }
 
 /** What is left out, and the commands that measure it again. */

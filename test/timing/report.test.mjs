@@ -141,7 +141,7 @@ test('a multiple is refused by its own range, and that of the base is 1', () => 
 	assert.match(text, /^sphereSphere +240 ns ±3 % +1\.0×$/m);
 	assert.match(text, /^boxBox +1\.90 µs ±3 % +8\.0× ±13 %$/m);
 	assert.match(text, /^hullHull +5\.00 µs ±3 % +noisy$/m);
-	assert.match(repeats(found), /tests \/ hullHull \/ engine\nTo/);
+	assert.match(repeats(found), /tests \/ hullHull \/ engine \(its multiple alone\)\nTo/);
 });
 
 test('the games that keep 25 frames a second are named by their colliders', async () => {
@@ -213,9 +213,8 @@ test('what -Dcompare names must be a report, and the run does not begin without'
 	writeFileSync(text, '{"entries": []');
 	assert.throws(() => olderReport(text), /^Error: -Dcompare: .*text\.json is no report\.json of \.\/antw timing$/);
 	const begin = (...more) => spawnSync(process.execPath, [fileURLToPath(new URL('load.mjs', import.meta.url)), folder, ...more], { encoding: 'utf8' });
-	assert.deepEqual([begin('', 'nothing.json').status, begin('', 'nothing.json').stderr], [64, '-Dcompare: there is no file nothing.json\n']);
-	assert.match(begin('tests,test').stderr, /^-Dfigures: there is no "test"; there are volumes,fits,.*,monitor\n$/);
-	assert.equal(begin('tests', '').status, 0);
+	assert.deepEqual([begin('nothing.json').status, begin('nothing.json').stderr], [64, '-Dcompare: there is no file nothing.json\n']);
+	assert.equal(begin('').status, 0);
 });
 
 test('a busy machine is told', () => {
@@ -323,6 +322,11 @@ test('one table has a row for each collider: how often it is right, how long a f
 	assert.doesNotMatch(text, /^HierarchicalCollider/m);
 	assert.match(await page({ ...EMPTY, entries: shares }, '..'), /Which collider to take[^]*<a href="\.\.\/docs\/choosing\.md">/);
 	assert.match(tables(entries), /^collider +take it +100 bears +1000 mix$/m);
+	// another number of the same agents comes before other agents, and a game that was not measured is not spoken of
+	const crowds = tables(['10 bears', '20 bears', '20 dragons'].map((subject) => timed('crowds', subject, 'BinCollider', 1, { agents: 20, collisions: 5, agrees: true })));
+	assert.match(crowds, /^Which collider to take\n\ncollider +take it +20 bears\n/);
+	assert.match(crowds, /^Together: a frame of the crowd below/m);
+	assert.doesNotMatch(crowds, /scattered|how often/i);
 	// a note says nothing of columns and rows that are not there
 	assert.match(text, /^Precision: the share/m);
 	assert.doesNotMatch(tables(entries), /Precision: the share/);
@@ -389,7 +393,9 @@ test('what is noisy is named, with a command that repeats it', () => {
 	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'noisy' })]), /-Dfigures=fits -Dmodels=bear /);
 	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })]), /-Dmodels=cube -Dsources=FOLDER -Dfitters=game\.UprightFitter -Drep/);
 	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })], '', '../my/src'), / -Dsources=\.\.\/my\/src /);
-	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'contradictory' })]), /^Left out, as too noisy or contradictory:\n/);
+	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'contradictory' })]), /^Left out, as too noisy or contradictory: 1 of 1 times\n/);
+	const ofMultiple = repeats([timed('fits', 'bear', 'literal', null, { refused: 'noisy' }), timed('fits', 'bear', 'engine', 1, { multiple: null })]);
+	assert.match(ofMultiple, /: 1 of 2 times; of 1 more the multiple alone\n.* literal\n.* engine \(its multiple alone\)\n/);
 	assert.equal(repeats(entries.filter((entry) => !entry.refused)), '');
 });
 
@@ -401,7 +407,8 @@ test('what is noisy can join a report only if the commit says what was measured'
 });
 
 test('the page says at its top what is missing', async () => {
-	assert.match(await page({ ...EMPTY, entries }), /1 of 13 times <a href="#left-out">is left out<\/a>[^]*<p id="left-out">[^]*<pre>Left out, [^]*\n {4}\.\/antw timing -Dfigures=crowds /);
+	assert.match(await page({ ...EMPTY, entries }), /<p id="left-out">Noisy: half of the range /);
+	assert.match(await page({ ...EMPTY, entries }), /<a href="#left-out">Left out<\/a>, as too noisy or contradictory: 1 of 13 times\.[^]*<p id="left-out">[^]*<pre>Left out, [^]*\n {4}\.\/antw timing -Dfigures=crowds /);
 	assert.doesNotMatch(await page({ ...EMPTY, entries: entries.filter(({ refused }) => !refused) }), /href="#left-out"/);
 	assert.match(await page({ ...EMPTY, isComplete: false, entries }), /class="warning">The run ended early/);
 	assert.doesNotMatch(await page({ ...EMPTY, entries }), /ended early/);

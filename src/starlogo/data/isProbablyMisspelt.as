@@ -1,9 +1,8 @@
 package starlogo.data
 {
     /**
-     * Whether a name may be another one, misspelled: at most two letters are inserted, removed or replaced (Levenshtein, 1966), in short names one.
-     * Names that differ in numbers alone mean different things. The ES module has its own version, for which two letters that are exchanged
-     * count as one.
+     * Whether a name may be another one, misspelled: at most two letters are inserted, removed, replaced, or exchanged with the next (Damerau, 1964;
+     * Levenshtein, 1966), in short names one. Names that differ in numbers alone mean different things. The ES module has its own version.
      *
      * @private
      */
@@ -13,6 +12,7 @@ package starlogo.data
         {
             return false;
         }
+        var earlier:Vector.<int> = null;
         var counts:Vector.<int> = new Vector.<int>();
         for (var j:int = 0; j <= other.length; j++)
         {
@@ -20,14 +20,15 @@ package starlogo.data
         }
         for (var i:int = 0; i < name.length; i++)
         {
-            var before:int = counts[0];
-            counts[0] = i + 1;
+            var before:Vector.<int> = counts;
+            counts = new <int>[i + 1];
             for (j = 0; j < other.length; j++)
             {
-                var replaced:int = before + (name.charAt(i) == other.charAt(j) ? 0 : 1);
-                before = counts[j + 1];
-                counts[j + 1] = Math.min(before + 1, counts[j] + 1, replaced);
+                var replaced:int = before[j] + (name.charAt(i) == other.charAt(j) ? 0 : 1);
+                var isExchanged:Boolean = i > 0 && j > 0 && name.charAt(i) == other.charAt(j - 1) && name.charAt(i - 1) == other.charAt(j);
+                counts.push(Math.min(before[j + 1] + 1, counts[j] + 1, replaced, isExchanged ? earlier[j - 1] + 1 : replaced));
             }
+            earlier = before;
         }
         var most:int = Math.max(name.length, other.length) < 6 ? 1 : 2;
         return counts[other.length] <= most || name.toLowerCase() == other.toLowerCase();

@@ -108,8 +108,8 @@ package starlogo.models
          */
         public static function capsule(radius:Number, height:Number, name:String = "capsule"):Model
         {
-            requireSize("radius", radius);
-            requireSize("height", height);
+            requireSize(name, "a capsule's radius", radius);
+            requireSize(name, "a capsule's height", height);
             if (height < 2 * radius)
             {
                 throw new RangeError("a capsule's height includes its caps, so it must be at least twice its radius of " + radius + ": " + height);
@@ -138,9 +138,9 @@ package starlogo.models
          */
         public static function box(x:Number, y:Number, z:Number, name:String = "box"):Model
         {
-            requireSize("x", x);
-            requireSize("y", y);
-            requireSize("z", z);
+            requireSize(name, "a box's x", x);
+            requireSize(name, "a box's y", y);
+            requireSize(name, "a box's z", z);
             var vertices:Vector.<Number> = new Vector.<Number>();
             var triangles:Vector.<uint> = new Vector.<uint>();
             addCube(vertices, triangles);
@@ -153,11 +153,11 @@ package starlogo.models
             return new BuiltInModel(name, vertices, triangles, AS_GIVEN);
         }
 
-        private static function requireSize(what:String, value:Number):void
+        private static function requireSize(name:String, what:String, value:Number):void
         {
             if (!(value > 0 && value <= Placement.LARGEST_COORDINATE))
             {
-                throw new RangeError(what + " must be positive and at most " + Placement.LARGEST_COORDINATE + ": " + value);
+                throw new RangeError("model \"" + name + "\": " + what + " must be positive and at most " + Placement.LARGEST_COORDINATE + ": " + value);
             }
         }
 

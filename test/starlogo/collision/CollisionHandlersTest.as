@@ -91,7 +91,7 @@ package starlogo.collision
         public function breedsThatAreProbablyMisspelledAreTold():void
         {
             addAll("hedgehogs", "foxes", "trees7", "hedgehogs");
-            for each (var name:String in ["hegdehogs", "Hedgehogs", "foxe", "fox", "trees8", "sphere", "terain", "edgy", Collision.EDGE])
+            for each (var name:String in ["hegdehogs", "foxse", "ofxes", "Hedgehogs", "foxe", "fox", "trees8", "sphere", "terain", "edgy", Collision.EDGE])
             {
                 _collision.onCollision(Collision.ANY_BREED, name, note("x"));
             }
@@ -99,6 +99,8 @@ package starlogo.collision
             assertFalse(warn(missing("hegdehogs") + "; is \"hedgehogs\" meant?"));
             assertFalse(warn(missing("Hedgehogs") + "; is \"hedgehogs\" meant?"));
             assertFalse(warn(missing("foxe") + "; is \"foxes\" meant?"));
+            assertFalse(warn(missing("foxse") + "; is \"foxes\" meant?"));
+            assertFalse(warn(missing("ofxes") + "; is \"foxes\" meant?"));
             assertFalse(warn(missing("terain") + "; is Collision.TERRAIN meant?"));
             assertFalse(warn(missing("sphere") + ", which is the shape of " + _agents[0] + ": new Agent(\"sphere\", \"BREED\") gives it a breed"));
             // not so near, or other numbers

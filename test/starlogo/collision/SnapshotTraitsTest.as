@@ -61,6 +61,105 @@ package starlogo.collision
             }
         }
 
+        // A frame after a snapshot came back has the collisions that it had without the change, whichever trait alone had changed.
+        [Test]
+        public function eachTraitThatComesBackDecides():void
+        {
+            var changes:Object = {
+                    x: function(a:Agent):void
+                    {
+                        a.x += 0.6;
+                    },
+                    y: function(a:Agent):void
+                    {
+                        a.y += 0.6;
+                    },
+                    z: function(a:Agent):void
+                    {
+                        a.z += 0.6;
+                    },
+                    size: function(a:Agent):void
+                    {
+                        a.size *= 1.5;
+                    },
+                    shape: function(a:Agent):void
+                    {
+                        a.shape = "cube";
+                    },
+                    breed: function(a:Agent):void
+                    {
+                        a.breed = "stones";
+                    },
+                    sweeps: function(a:Agent):void
+                    {
+                        a.sweeps = true;
+                    },
+                    hierarchical: function(a:Agent):void
+                    {
+                        a.hierarchical = true;
+                    },
+                    collideAs: function(a:Agent):void
+                    {
+                        a.collideAs = "box";
+                    },
+                    traversalDepth: function(a:Agent):void
+                    {
+                        a.traversalDepth = 1;
+                    }
+                };
+            for (var trait:String in changes)
+            {
+                var random:SeededRandom = new SeededRandom(53);
+                var agents:Vector.<Agent> = new Vector.<Agent>();
+                for (var i:int = 0; i < 60; i++)
+                {
+                    var agent:Agent = agentAt(i % 2 == 0 ? "sphere" : "cylinder", 4 * random.next(), 4 * random.next(), 4 * random.next());
+                    agent.size = 0.6;
+                    // the depth decides only about trees
+                    agent.hierarchical = trait == "traversalDepth";
+                    agents.push(agent);
+                }
+                var pairs:Array = [];
+                var collision:Collision = new Collision(new CombinationCollider(_greatLand));
+                collision.onCollision("turtles", "turtles", function(a:Agent, b:Agent):void
+                    {
+                        pairs.push(agents.indexOf(a) + " " + agents.indexOf(b));
+                    });
+                collision.update(agents);
+                var bytes:ByteArray = collision.snapshot(true);
+                var expected:String = pairsAfterMoves(collision, agents, pairs);
+                collision.restore(bytes, agents);
+                changeSome(agents, changes[trait]);
+                assertFalse(trait + " decides", expected == pairsAfterMoves(collision, agents, pairs));
+                collision.restore(bytes, agents);
+                changeSome(agents, changes[trait]);
+                collision.update(agents);
+                collision.restore(bytes, agents);
+                assertEquals(trait + " came back", expected, pairsAfterMoves(collision, agents, pairs));
+            }
+        }
+
+        private static function changeSome(agents:Vector.<Agent>, change:Function):void
+        {
+            for (var i:int = 0; i < agents.length; i += 3)
+            {
+                change(agents[i]);
+            }
+        }
+
+        // Few move, so that the others are not tested again unless they have changed.
+        private static function pairsAfterMoves(collision:Collision, agents:Vector.<Agent>, pairs:Array):String
+        {
+            collision.update(agents);
+            pairs.length = 0;
+            for (var i:int = 0; i < agents.length; i += 4)
+            {
+                agents[i].x += 1.5;
+            }
+            collision.update(agents);
+            return pairs.join(", ");
+        }
+
         // Two games in step, of which one was brought back: they write the same bytes, whatever sign their zeros once had.
         [Test]
         public function zerosHaveNoSign():void

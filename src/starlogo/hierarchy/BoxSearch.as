@@ -48,11 +48,11 @@ package starlogo.hierarchy
         private var _halfY:Number = 0;
         private var _halfZ:Number = 0;
 
-        // 1 divided by the motion along each axis, and the time from which on nodes count.
+        // 1 divided by the motion along each axis, and the earliest time that counts.
         private var _inverseX:Number = STILL;
         private var _inverseY:Number = STILL;
         private var _inverseZ:Number = STILL;
-        private var _from:Number = 0;
+        private var _earliest:Number = 0;
 
         private var _tree:BoxTree = null;
         private var _depth:int = 0;
@@ -103,7 +103,7 @@ package starlogo.hierarchy
             _inverseX = inverseOf(motion.x);
             _inverseY = inverseOf(motion.y);
             _inverseZ = inverseOf(motion.z);
-            _from = 0;
+            _earliest = 0;
             begin(tree, depth);
         }
 
@@ -115,7 +115,7 @@ package starlogo.hierarchy
             _inverseX = inverseOf(ray.direction.x);
             _inverseY = inverseOf(ray.direction.y);
             _inverseZ = inverseOf(ray.direction.z);
-            _from = ray.from;
+            _earliest = ray.from;
             begin(tree, depth);
         }
 
@@ -131,7 +131,7 @@ package starlogo.hierarchy
             _inverseX = axis == 0 ? sign : STILL;
             _inverseY = axis == 1 ? sign : STILL;
             _inverseZ = axis == 2 ? sign : STILL;
-            _from = 0;
+            _earliest = 0;
             begin(tree, BoxTree.EXACT);
         }
 
@@ -184,7 +184,7 @@ package starlogo.hierarchy
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
             var isStill:Boolean = inverseX == STILL && inverseY == STILL && inverseZ == STILL;
-            var begin:Number = _from;
+            var earliest:Number = _earliest;
             var latest:Number = limit < LATEST ? limit : LATEST;
             var top:int = _top;
             while (top > 0)
@@ -201,7 +201,7 @@ package starlogo.hierarchy
                     }
                     // of the children that are met, the one to visit next, and when it is entered
                     var next:int = -1;
-                    var enterNext:Number = 0;
+                    var enterNext:Number = Infinity;
                     var left:int = tree.left[node];
                     for (var child:int = left; child < left + 2; child++)
                     {
@@ -211,7 +211,7 @@ package starlogo.hierarchy
                         var half:Number = (boxes[int(at + 3)] + widerX) * absX;
                         var enterX:Number = middle - half;
                         var leaveX:Number = middle + half;
-                        if (enterX > latest || leaveX < begin)
+                        if (enterX > latest || leaveX < earliest)
                         {
                             continue;
                         }
@@ -219,7 +219,7 @@ package starlogo.hierarchy
                         half = (boxes[int(at + 4)] + widerY) * absY;
                         var enterY:Number = middle - half;
                         var leaveY:Number = middle + half;
-                        if (enterY > latest || leaveY < begin || enterY > leaveX || leaveY < enterX)
+                        if (enterY > latest || leaveY < earliest || enterY > leaveX || leaveY < enterX)
                         {
                             continue;
                         }
@@ -227,29 +227,26 @@ package starlogo.hierarchy
                         half = (boxes[int(at + 5)] + widerZ) * absZ;
                         var enterZ:Number = middle - half;
                         var leaveZ:Number = middle + half;
-                        if (enterZ > latest || leaveZ < begin || enterZ > leaveX || leaveZ < enterX || enterZ > leaveY || leaveZ < enterY)
+                        if (enterZ > latest || leaveZ < earliest || enterZ > leaveX || leaveZ < enterX || enterZ > leaveY || leaveZ < enterY)
                         {
                             continue;
                         }
-                        var enter:Number = enterX > begin ? enterX : begin;
+                        var enter:Number = enterX > earliest ? enterX : earliest;
                         enter = enterY > enter ? enterY : enter;
                         enter = enterZ > enter ? enterZ : enter;
-                        if (next < 0)
-                        {
-                            next = child;
-                            enterNext = enter;
-                        }
-                        else if (isStill ? isRightNearer(tree, node) : enter < enterNext)
-                        {
-                            _nodes[top] = next;
-                            _enters[top++] = enterNext;
-                            next = child;
-                        }
-                        else
+                        if (isStill ? next >= 0 && !isRightNearer(tree, node) : enter >= enterNext)
                         {
                             _nodes[top] = child;
                             _enters[top++] = enter;
+                            continue;
                         }
+                        if (next >= 0)
+                        {
+                            _nodes[top] = next;
+                            _enters[top++] = enterNext;
+                        }
+                        next = child;
+                        enterNext = enter;
                     }
                     node = next;
                 }

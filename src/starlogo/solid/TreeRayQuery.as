@@ -123,7 +123,7 @@ package starlogo.solid
             _search.beginAlong(tree, depth, ray);
             for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
             {
-                if (findSpan(tree, leaf, ray) && _entry.setToEntry(ray, _span) && !(isMet && _entry.distance >= out.distance))
+                if (findSpan(tree, leaf, ray) && _entry.setToEntry(ray, _span) && (!isMet || _entry.distance < out.distance))
                 {
                     isMet = out.setToEntry(ray, _span);
                     _search.limit = out.distance;
@@ -165,8 +165,8 @@ package starlogo.solid
             }
         }
 
-        // Finds which part of the ray's line is in the box of a node. Returns whether any is. Nodes are enlarged as it is: widened, a node that is only
-        // touched would be entered before a larger node around it.
+        // Finds which part of the ray's line is in the box of a node. Returns whether any is. The box has margins already, so its factor is 1: were it
+        // widened, a node that is only touched would be entered before a larger node around it.
         private function findSpan(tree:BoxTree, node:int, ray:Ray):Boolean
         {
             return SpanFinder.findInBox(ray, tree.boxOf(node), 1, _span);

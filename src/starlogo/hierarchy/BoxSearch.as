@@ -4,9 +4,9 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
 
     /**
-     * Finds the leaves of a search in a tree (see BoxTree): those that an axis-aligned box may meet while it moves (<code>nextMet()</code>), or those that
-     * are near it (<code>nextNear()</code>). Of two children the nearer one comes first. A ray is a box without extents. A box that stands has a motion of
-     * length 0. The asker sets the box, begins, and takes one leaf after the other:
+     * Finds the leaves of a tree, visited to a depth (see BoxTree), that an axis-aligned box may meet while it moves (<code>nextMet()</code>), or that are
+     * near it (<code>nextNear()</code>). Of two children the nearer one comes first. A ray is a box without extents. A box that stands has a motion of
+     * length 0. The asker sets the box, begins, and takes one leaf after the other. Who begins again forgets the search before:
      *
      * <listing version="3.0">
      * search.setExtents(extents, 0);
@@ -27,7 +27,7 @@ package starlogo.hierarchy
         // The latest time that counts. It is less than the time at which a box that stands beside a node would meet it.
         private static const LATEST:Number = 1e90;
 
-        // How much larger boxes are on each side, as a fraction of the tree's radius and of the half-extents of what moves: a little more than
+        // How much larger nodes are on each side, as a fraction of the tree's radius and of the box's half-extents: a little more than
         // sqrt(2.2e-16), where 2.2e-16 is a Number's rounding error. A line at a distance d from the middle of a sphere of radius r enters it
         // sqrt(r * r - d * d) before its nearest point. If d is nearly r, rounding changes that by up to sqrt(2.2e-16) r. So the test of a node may
         // find a touch so much before the box meets the node.
@@ -135,7 +135,7 @@ package starlogo.hierarchy
             begin(tree, BoxTree.EXACT);
         }
 
-        /** Begins with the leaves near the standing box, all of them. @param depth how many levels of the tree are visited */
+        /** Begins with the leaves near the standing box: all of them, until the asker lowers the limit. @param depth how many levels of the tree are visited */
         public function beginNear(tree:BoxTree, depth:int):void
         {
             limit = Infinity;

@@ -67,11 +67,11 @@ package starlogo.solid
             var isExact:Boolean = depth == BoxTree.EXACT;
             if (isExact)
             {
-                addTriangles(model.treeFor(depth), ray, out);
+                addTriangleCrossings(model.treeFor(depth), ray, out);
             }
             else
             {
-                addBoxes(model.boxTree, depth, ray, out);
+                addBoxCrossings(model.boxTree, depth, ray, out);
             }
             return isExact;
         }
@@ -138,7 +138,7 @@ package starlogo.solid
         }
 
         // Adds all crossings with triangles.
-        private function addTriangles(tree:BoxTree, ray:Ray, out:RayCrossings):void
+        private function addTriangleCrossings(tree:BoxTree, ray:Ray, out:RayCrossings):void
         {
             _shearedRay.setTo(ray, tree.radiusAboutOrigin);
             _search.beginAlong(tree, BoxTree.EXACT, ray);
@@ -153,7 +153,7 @@ package starlogo.solid
         }
 
         // Adds where the ray enters and leaves the boxes of leaves.
-        private function addBoxes(tree:BoxTree, depth:int, ray:Ray, out:RayCrossings):void
+        private function addBoxCrossings(tree:BoxTree, depth:int, ray:Ray, out:RayCrossings):void
         {
             _search.beginAlong(tree, depth, ray);
             for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())

@@ -123,6 +123,16 @@ package starlogo.hierarchy
         }
 
         [Test]
+        public function theRoundingOfALargeBoxHidesNoLeaf():void
+        {
+            var large:Number = 1e9;
+            _search.setCube(_tree.boxes[0] + _tree.boxes[3] + large + 0.1, 0, 0, large);
+            _search.beginNear(_tree, BoxTree.LEAVES);
+            _search.limit = 0.01;
+            assertTrue(_search.nextNear() >= 0);
+        }
+
+        [Test]
         public function aSearchThatHasEndedFindsNothing():void
         {
             _search.setCube(0, 0, 0, 20);

@@ -116,10 +116,10 @@ package starlogo.convex
             var last:int = face.length - 3;
             for (var at:int = 0; at < face.length; at += 3)
             {
-                var isPartInside:Boolean = findInnerSide(face, last, at, contact, _innerSide);
+                var isPartInside:Boolean = findInnerSide(face, last, at, contact);
                 if (isPartInside)
                 {
-                    keepWithin(_innerSide);
+                    keepInside();
                 }
                 hasCommonPart = hasCommonPart && isPartInside;
                 last = at;
@@ -131,8 +131,8 @@ package starlogo.convex
             // what is nearest to an edge may be beside the face, so these edges come last
             for (at = 0; at < face.length; at += 3)
             {
-                findInnerSide(face, last, at, contact, _innerSide);
-                keepWithin(_innerSide);
+                findInnerSide(face, last, at, contact);
+                keepInside();
                 last = at;
             }
         }
@@ -237,8 +237,8 @@ package starlogo.convex
             return best;
         }
 
-        // Finds the inner side of an edge of a face. Returns whether any of this feature is there. If not, the side is widened to what is nearest to the edge.
-        private function findInnerSide(face:ContactFeature, from:int, to:int, contact:ContactPoint, out:Vector3D):Boolean
+        // Finds the inner side of an edge of a face. Returns whether a part of this feature is there. If not, the side is widened to what is nearest to the edge.
+        private function findInnerSide(face:ContactFeature, from:int, to:int, contact:ContactPoint):Boolean
         {
             var corners:Vector.<Number> = face.points;
             var edgeX:Number = corners[to] - corners[from];
@@ -259,18 +259,19 @@ package starlogo.convex
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(corners[3] - corners[0]) + Math.abs(corners[4] - corners[1]) + Math.abs(corners[5] - corners[2])
                     + Math.abs(corners[6] - corners[3]) + Math.abs(corners[7] - corners[4]) + Math.abs(corners[8] - corners[5]))
                 * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
-            var isAllOutside:Boolean = innermost < border - rounding;
-            border = isAllOutside ? innermost : border;
-            out.x = inX;
-            out.y = inY;
-            out.z = inZ;
-            out.w = border - rounding;
-            return !isAllOutside;
+            var isPartInside:Boolean = innermost >= border - rounding;
+            border = isPartInside ? border : innermost;
+            _innerSide.x = inX;
+            _innerSide.y = inY;
+            _innerSide.z = inZ;
+            _innerSide.w = border - rounding;
+            return isPartInside;
         }
 
-        // Keeps the part within a side that findInnerSide() has found.
-        private function keepWithin(side:Vector3D):void
+        // Keeps the part on the side that findInnerSide() has found.
+        private function keepInside():void
         {
+            var side:Vector3D = _innerSide;
             // an edge is not a closed outline
             var isEdge:Boolean = length == EDGE;
             var end:int = length;

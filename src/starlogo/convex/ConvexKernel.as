@@ -30,7 +30,7 @@ package starlogo.convex
         private var _cores:CorePair = new CorePair();
         private var _result:GjkResult = new GjkResult();
 
-        // Balls around the two shapes of a sweep. Its radius A is the sum of both radii, its radius B stays 0.
+        // The gap of two balls, one around each shape of a sweep. Its radiusA is that of both together, its radiusB stays 0.
         private var _balls:CoreGap = new CoreGap();
 
         /** Whether two shapes touch or overlap. */

@@ -24,14 +24,5 @@ package starlogo.convex
 
         /** The radius around b's core. */
         public var radiusB:Number = 0;
-
-        /** The squared length of the vector. At a box it is more precise than the vector. RoundKernel alone writes it, and the two below. */
-        public var squaredLength:Number = 0;
-
-        /** How fast the motion closes the gap, times the length of the gap. */
-        public var closingSpeedTimesLength:Number = 0;
-
-        /** The size of both structures together, which the rounding error of the gap is relative to. */
-        public var size:Number = 0;
     }
 }

@@ -4,9 +4,9 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
 
     /**
-     * Finds the leaves of a search in a tree (see BoxTree): those that an axis-aligned box may meet while it moves (<code>nextMet()</code>), or those that
-     * are near it (<code>nextNear()</code>). Of two children the nearer one comes first. A ray is a box without extents. A box that stands has a motion of
-     * length 0. The asker sets the box, begins, and takes one leaf after the other:
+     * Finds the leaves of a tree, visited to a depth (see BoxTree), that an axis-aligned box may meet while it moves (<code>nextMet()</code>), or that are
+     * near it (<code>nextNear()</code>). Of two children the nearer one comes first. A ray is a box without extents. A box that stands has a motion of
+     * length 0. The asker sets the box, begins, and takes one leaf after the other. Who begins again forgets the search before:
      *
      * <listing version="3.0">
      * search.setExtents(extents, 0);
@@ -27,7 +27,7 @@ package starlogo.hierarchy
         // The latest time that counts. It is less than the time at which a box that stands beside a node would meet it.
         private static const LATEST:Number = 1e90;
 
-        // How much larger boxes are on each side, as a fraction of the tree's radius and of the half-extents of what moves: a little more than
+        // How much larger nodes are on each side, as a fraction of the tree's radius and of the box's half-extents: a little more than
         // sqrt(2.2e-16), where 2.2e-16 is a Number's rounding error. A line at a distance d from the middle of a sphere of radius r enters it
         // sqrt(r * r - d * d) before its nearest point. If d is nearly r, rounding changes that by up to sqrt(2.2e-16) r. So the test of a node may
         // find a touch so much before the box meets the node.
@@ -48,11 +48,11 @@ package starlogo.hierarchy
         private var _halfY:Number = 0;
         private var _halfZ:Number = 0;
 
-        // 1 divided by the motion along each axis, and the time from which on nodes count.
+        // 1 divided by the motion along each axis, and the earliest time that counts.
         private var _inverseX:Number = STILL;
         private var _inverseY:Number = STILL;
         private var _inverseZ:Number = STILL;
-        private var _from:Number = 0;
+        private var _earliest:Number = 0;
 
         private var _tree:BoxTree = null;
         private var _depth:int = 0;
@@ -103,7 +103,7 @@ package starlogo.hierarchy
             _inverseX = inverseOf(motion.x);
             _inverseY = inverseOf(motion.y);
             _inverseZ = inverseOf(motion.z);
-            _from = 0;
+            _earliest = 0;
             begin(tree, depth);
         }
 
@@ -115,7 +115,7 @@ package starlogo.hierarchy
             _inverseX = inverseOf(ray.direction.x);
             _inverseY = inverseOf(ray.direction.y);
             _inverseZ = inverseOf(ray.direction.z);
-            _from = ray.from;
+            _earliest = ray.from;
             begin(tree, depth);
         }
 
@@ -131,11 +131,11 @@ package starlogo.hierarchy
             _inverseX = axis == 0 ? sign : STILL;
             _inverseY = axis == 1 ? sign : STILL;
             _inverseZ = axis == 2 ? sign : STILL;
-            _from = 0;
+            _earliest = 0;
             begin(tree, BoxTree.EXACT);
         }
 
-        /** Begins with the leaves near the standing box, all of them. @param depth how many levels of the tree are visited */
+        /** Begins with the leaves near the standing box: all of them, until the asker lowers the limit. @param depth how many levels of the tree are visited */
         public function beginNear(tree:BoxTree, depth:int):void
         {
             limit = Infinity;
@@ -184,7 +184,7 @@ package starlogo.hierarchy
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
             var isStill:Boolean = inverseX == STILL && inverseY == STILL && inverseZ == STILL;
-            var begin:Number = _from;
+            var earliest:Number = _earliest;
             var latest:Number = limit < LATEST ? limit : LATEST;
             var top:int = _top;
             while (top > 0)
@@ -201,7 +201,7 @@ package starlogo.hierarchy
                     }
                     // of the children that are met, the one to visit next, and when it is entered
                     var next:int = -1;
-                    var enterNext:Number = 0;
+                    var enterNext:Number = Infinity;
                     var left:int = tree.left[node];
                     for (var child:int = left; child < left + 2; child++)
                     {
@@ -211,7 +211,7 @@ package starlogo.hierarchy
                         var half:Number = (boxes[int(at + 3)] + widerX) * absX;
                         var enterX:Number = middle - half;
                         var leaveX:Number = middle + half;
-                        if (enterX > latest || leaveX < begin)
+                        if (enterX > latest || leaveX < earliest)
                         {
                             continue;
                         }
@@ -219,7 +219,7 @@ package starlogo.hierarchy
                         half = (boxes[int(at + 4)] + widerY) * absY;
                         var enterY:Number = middle - half;
                         var leaveY:Number = middle + half;
-                        if (enterY > latest || leaveY < begin || enterY > leaveX || leaveY < enterX)
+                        if (enterY > latest || leaveY < earliest || enterY > leaveX || leaveY < enterX)
                         {
                             continue;
                         }
@@ -227,29 +227,26 @@ package starlogo.hierarchy
                         half = (boxes[int(at + 5)] + widerZ) * absZ;
                         var enterZ:Number = middle - half;
                         var leaveZ:Number = middle + half;
-                        if (enterZ > latest || leaveZ < begin || enterZ > leaveX || leaveZ < enterX || enterZ > leaveY || leaveZ < enterY)
+                        if (enterZ > latest || leaveZ < earliest || enterZ > leaveX || leaveZ < enterX || enterZ > leaveY || leaveZ < enterY)
                         {
                             continue;
                         }
-                        var enter:Number = enterX > begin ? enterX : begin;
+                        var enter:Number = enterX > earliest ? enterX : earliest;
                         enter = enterY > enter ? enterY : enter;
                         enter = enterZ > enter ? enterZ : enter;
-                        if (next < 0)
-                        {
-                            next = child;
-                            enterNext = enter;
-                        }
-                        else if (isStill ? isRightNearer(tree, node) : enter < enterNext)
-                        {
-                            _nodes[top] = next;
-                            _enters[top++] = enterNext;
-                            next = child;
-                        }
-                        else
+                        if (isStill ? next >= 0 && !isRightNearer(tree, node) : enter >= enterNext)
                         {
                             _nodes[top] = child;
                             _enters[top++] = enter;
+                            continue;
                         }
+                        if (next >= 0)
+                        {
+                            _nodes[top] = next;
+                            _enters[top++] = enterNext;
+                        }
+                        next = child;
+                        enterNext = enter;
                     }
                     node = next;
                 }

@@ -27,9 +27,16 @@ package starlogo.intersection
     public final class RoundKernel extends StructurePairKernel
     {
         private var _convex:ConvexPairKernel;
+
+        // The gap at the motion's time, which findGap() finds. Its squared length, which at a box is more precise than the vector; how fast the motion
+        // closes it, times its length; and the size of both structures together, which its rounding error is relative to.
         private var _gap:CoreGap = new CoreGap();
-        private var _segments:SegmentPair = new SegmentPair();
-        private var _segment:BoxSegment = new BoxSegment();
+        private var _squaredLength:Number = 0;
+        private var _closingSpeedTimesLength:Number = 0;
+        private var _size:Number = 0;
+
+        private var _segmentPair:SegmentPair = new SegmentPair();
+        private var _boxSegment:BoxSegment = new BoxSegment();
 
         // A place as seen from a box's middle, in the box's axes.
         private var _place:Vector3D = new Vector3D();
@@ -45,25 +52,24 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findTimeOfImpactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
-            var gap:CoreGap = _gap;
             var step:ConservativeAdvancement = _step;
             var margins:Number = motion.margin;
             motion.time = 0;
             step.reset();
             do
             {
-                findGap(first, second, motion, gap);
-                var radii:Number = gap.radiusA + gap.radiusB;
+                findGap(first, second, motion);
+                var radii:Number = _gap.radiusA + _gap.radiusB;
                 var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
-                var length:Number = Math.sqrt(gap.squaredLength);
-                step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
-                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.size)
+                var length:Number = Math.sqrt(_squaredLength);
+                step.isTouching = _squaredLength <= touchingDistance * touchingDistance;
+                if (!step.isTouching && radii < Tolerances.DIRECTION * _size)
                 {
                     _convex.findTimeOfImpactInOrder(first, second, motion);
                     return;
                 }
                 step.separation = length - radii;
-                step.speed = gap.closingSpeedTimesLength / length;
+                step.speed = _closingSpeedTimesLength / length;
             }
             while (step.advance(motion));
         }
@@ -71,20 +77,19 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            var gap:CoreGap = _gap;
-            findGap(first, second, motion, gap);
+            findGap(first, second, motion);
             // If the gap is longer than this, it has a direction in spite of rounding.
-            var least:Number = Tolerances.DIRECTION * gap.size;
-            if (gap.squaredLength > least * least)
+            var least:Number = Tolerances.DIRECTION * _size;
+            if (_squaredLength > least * least)
             {
                 if (first.kind == BoundingStructure.CAPSULE)
                 {
                     // of the points of its axis that are equally close, the one in the middle
-                    setPoint(first as Capsule, second.kind == BoundingStructure.CAPSULE ? _segments.middleOfU : _segment.middleIn(second as Box), gap);
+                    setPoint(first as Capsule, second.kind == BoundingStructure.CAPSULE ? _segmentPair.middleOfU : _boxSegment.middleIn(second as Box));
                 }
-                out.setFromGap(gap, motion);
+                out.setFromGap(_gap, motion);
             }
-            else if (gap.squaredLength > 0)
+            else if (_squaredLength > 0)
             {
                 _convex.findContactInOrder(first, second, motion, out);
             }
@@ -97,58 +102,60 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
-            findGap(first, second, RelativeMotion.NONE, _gap);
+            findGap(first, second, RelativeMotion.NONE);
             out.setFromGap(_gap);
         }
 
         // Finds the gap at the motion's time. a is a sphere or a capsule; b is a capsule or a box.
-        private function findGap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
+        private function findGap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             if (b.kind == BoundingStructure.CAPSULE)
             {
-                findFromAxis(a, b as Capsule, motion, out);
+                findFromAxis(a, b as Capsule, motion);
             }
             else if (a.kind == BoundingStructure.SPHERE)
             {
-                findFromSphereToBox(a as Sphere, b as Box, motion, out);
+                findFromSphereToBox(a as Sphere, b as Box, motion);
             }
             else
             {
-                findFromCapsuleToBox(a as Capsule, b as Box, motion, out);
+                findFromCapsuleToBox(a as Capsule, b as Box, motion);
             }
         }
 
         // Sets the closest point of a capsule's axis.
-        private static function setPoint(capsule:Capsule, fraction:Number, gap:CoreGap):void
+        private function setPoint(capsule:Capsule, fraction:Number):void
         {
+            var point:Vector3D = _gap.point;
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            gap.point.x = start.x + fraction * (end.x - start.x);
-            gap.point.y = start.y + fraction * (end.y - start.y);
-            gap.point.z = start.z + fraction * (end.z - start.z);
+            point.x = start.x + fraction * (end.x - start.x);
+            point.y = start.y + fraction * (end.y - start.y);
+            point.z = start.z + fraction * (end.z - start.z);
         }
 
         // The axis of a sphere is its centre, a segment without length.
-        private function findFromAxis(a:BoundingStructure, b:Capsule, motion:RelativeMotion, out:CoreGap):void
+        private function findFromAxis(a:BoundingStructure, b:Capsule, motion:RelativeMotion):void
         {
-            var segments:SegmentPair = _segments;
+            var gap:CoreGap = _gap;
+            var segments:SegmentPair = _segmentPair;
             var isSphere:Boolean = a.kind == BoundingStructure.SPHERE;
             var start:Vector3D = isSphere ? (a as Sphere).center : (a as Capsule).start;
             segments.setTo(start, isSphere ? start : (a as Capsule).end, b);
-            out.radiusA = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
+            gap.radiusA = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
             segments.move(motion);
-            segments.findClosest(out);
-            out.squaredLength = out.x * out.x + out.y * out.y + out.z * out.z;
-            out.closingSpeedTimesLength = -(out.x * motion.x + out.y * motion.y + out.z * motion.z);
-            out.point.x = start.x + segments.fractionOfU * segments.u.x;
-            out.point.y = start.y + segments.fractionOfU * segments.u.y;
-            out.point.z = start.z + segments.fractionOfU * segments.u.z;
-            out.radiusB = b.radius;
-            out.size = Math.abs(segments.u.x) + Math.abs(segments.u.y) + Math.abs(segments.u.z) + (Math.abs(segments.v.x) + Math.abs(segments.v.y) + Math.abs(segments.v.z))
-                + (out.radiusA + out.radiusB);
+            segments.findClosest(gap);
+            _squaredLength = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+            _closingSpeedTimesLength = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
+            gap.point.x = start.x + segments.fractionOfU * segments.u.x;
+            gap.point.y = start.y + segments.fractionOfU * segments.u.y;
+            gap.point.z = start.z + segments.fractionOfU * segments.u.z;
+            gap.radiusB = b.radius;
+            _size = Math.abs(segments.u.x) + Math.abs(segments.u.y) + Math.abs(segments.u.z) + (Math.abs(segments.v.x) + Math.abs(segments.v.y) + Math.abs(segments.v.z))
+                + (gap.radiusA + gap.radiusB);
         }
 
-        private function findFromSphereToBox(sphere:Sphere, box:Box, motion:RelativeMotion, out:CoreGap):void
+        private function findFromSphereToBox(sphere:Sphere, box:Box, motion:RelativeMotion):void
         {
             var place:Vector3D = _place;
             var center:Vector3D = sphere.center;
@@ -163,15 +170,15 @@ package starlogo.intersection
             place.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
             place.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            measureToBox(place, box, motion, out);
-            out.point.copyFrom(center);
-            out.radiusA = sphere.radius;
-            out.size = box.halfX + box.halfY + box.halfZ + sphere.radius;
+            measureToBox(box, motion);
+            _gap.point.copyFrom(center);
+            _gap.radiusA = sphere.radius;
+            _size = box.halfX + box.halfY + box.halfZ + sphere.radius;
         }
 
-        private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion, out:CoreGap):void
+        private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion):void
         {
-            var segment:BoxSegment = _segment;
+            var segment:BoxSegment = _boxSegment;
             var place:Vector3D = _place;
             segment.setTo(capsule, box);
             segment.move(box, motion);
@@ -180,30 +187,31 @@ package starlogo.intersection
             place.x = segment.start.x + fraction * segment.along.x;
             place.y = segment.start.y + fraction * segment.along.y;
             place.z = segment.start.z + fraction * segment.along.z;
-            measureToBox(place, box, motion, out);
-            setPoint(capsule, fraction, out);
-            out.radiusA = capsule.radius;
-            out.size = Math.abs(segment.along.x) + Math.abs(segment.along.y) + Math.abs(segment.along.z) + box.halfX + box.halfY + box.halfZ + capsule.radius;
+            measureToBox(box, motion);
+            setPoint(capsule, fraction);
+            _gap.radiusA = capsule.radius;
+            _size = Math.abs(segment.along.x) + Math.abs(segment.along.y) + Math.abs(segment.along.z) + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }
 
-        // Computes the gap between a place and the nearest point of a box, its squared length, and how a motion of the place closes it.
-        private static function measureToBox(place:Vector3D, box:Box, motion:RelativeMotion, out:CoreGap):void
+        // Computes the gap between the place and the nearest point of the box, its squared length, and how a motion of the place closes it.
+        private function measureToBox(box:Box, motion:RelativeMotion):void
         {
+            var gap:CoreGap = _gap;
             var axisX:Vector3D = box.axisX;
             var axisY:Vector3D = box.axisY;
             var axisZ:Vector3D = box.axisZ;
-            var x:Number = place.x;
-            var y:Number = place.y;
-            var z:Number = place.z;
+            var x:Number = _place.x;
+            var y:Number = _place.y;
+            var z:Number = _place.z;
             x = x > box.halfX ? x - box.halfX : (x < -box.halfX ? x + box.halfX : 0);
             y = y > box.halfY ? y - box.halfY : (y < -box.halfY ? y + box.halfY : 0);
             z = z > box.halfZ ? z - box.halfZ : (z < -box.halfZ ? z + box.halfZ : 0);
-            out.x = x * axisX.x + y * axisY.x + z * axisZ.x;
-            out.y = x * axisX.y + y * axisY.y + z * axisZ.y;
-            out.z = x * axisX.z + y * axisY.z + z * axisZ.z;
-            out.radiusB = 0;
-            out.squaredLength = x * x + y * y + z * z;
-            out.closingSpeedTimesLength = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
+            gap.x = x * axisX.x + y * axisY.x + z * axisZ.x;
+            gap.y = x * axisX.y + y * axisY.y + z * axisZ.y;
+            gap.z = x * axisX.z + y * axisY.z + z * axisZ.z;
+            gap.radiusB = 0;
+            _squaredLength = x * x + y * y + z * z;
+            _closingSpeedTimesLength = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
                     + y * (axisY.x * motion.x + axisY.y * motion.y + axisY.z * motion.z)
                     + z * (axisZ.x * motion.x + axisZ.y * motion.y + axisZ.z * motion.z));
         }

@@ -164,7 +164,7 @@ package starlogo.solid
             }
             var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));
             StructurePairs.findClosest(trees.a.boxOf(a), placedB, _measured);
-            subtractSlack(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
+            subtractNesting(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;
@@ -179,7 +179,7 @@ package starlogo.solid
          * @param levelB the level of b's node; 0 for a structure
          * @param radii the rounding error is relative to this length and the distance together
          */
-        internal static function subtractSlack(measured:ClosestPoints, levelA:int, levelB:int, radii:Number):void
+        internal static function subtractNesting(measured:ClosestPoints, levelA:int, levelB:int, radii:Number):void
         {
             var distance:Number = measured.distance - Tolerances.NESTING * (levelsBelow(levelA) + levelsBelow(levelB)) * (measured.distance + radii);
             measured.distance = distance > 0 ? distance : 0;

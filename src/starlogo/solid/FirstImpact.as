@@ -21,7 +21,7 @@ package starlogo.solid
         /** The time of the earliest touch so far, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
 
-        /** The chosen one: the index of the triangle, or of the pair's two. Pairs of nodes have their numbers here. -1 if nothing touches. Who offers writes them. */
+        /** The chosen triangles, or nodes if boxes decide: that of tree a and that of tree b. -1 for none. The asker of <code>offer()</code> writes them. */
         public var a:int = -1;
         public var b:int = -1;
 

@@ -62,18 +62,18 @@ package starlogo.solid
             var leafDepthsB:Vector.<int> = trees.b.leafUpToDepth;
             var depthA:int = trees.depthA;
             var depthB:int = trees.depthB;
-            var stack:Vector.<int> = _nodes;
+            var nodes:Vector.<int> = _nodes;
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
             pair.setRotation(trees.pose.placement, Tolerances.ROUNDING);
-            stack[0] = 0;
-            stack[1] = 0;
+            nodes[0] = 0;
+            nodes[1] = 0;
             while (top > 0 && result != OVERLAPPING)
             {
                 top -= 2;
-                var a:int = stack[top];
-                var b:int = stack[top + 1];
+                var a:int = nodes[top];
+                var b:int = nodes[top + 1];
                 visits++;
                 trees.readBoxes(a, b, pair);
                 pair.aHalfX += margin;
@@ -104,7 +104,7 @@ package starlogo.solid
         // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
         private function pushChildren(trees:TreePair, a:int, isLeafA:Boolean, b:int, isLeafB:Boolean, dividesBoth:Boolean, top:int):int
         {
-            var stack:Vector.<int> = _nodes;
+            var nodes:Vector.<int> = _nodes;
             var dividesA:Boolean = dividesBoth ? !isLeafA : trees.dividesA(a, isLeafA, b, isLeafB);
             var dividesB:Boolean = dividesBoth ? !isLeafB : !dividesA;
             var nearer:int;
@@ -112,21 +112,21 @@ package starlogo.solid
             {
                 nearer = nearerChildOfA(_pair, trees.a, a);
                 // the other child: the numbers of both add up to 2 * left + 1
-                stack[top] = 2 * trees.a.left[a] + 1 - nearer;
-                stack[top + 1] = b;
+                nodes[top] = 2 * trees.a.left[a] + 1 - nearer;
+                nodes[top + 1] = b;
                 top += 2;
                 a = nearer;
             }
             if (dividesB)
             {
                 nearer = nearerChildOfB(_pair, trees.pose.placement, trees.b, b);
-                stack[top] = a;
-                stack[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
+                nodes[top] = a;
+                nodes[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
                 top += 2;
                 b = nearer;
             }
-            stack[top] = a;
-            stack[top + 1] = b;
+            nodes[top] = a;
+            nodes[top + 1] = b;
             return top + 2;
         }
 

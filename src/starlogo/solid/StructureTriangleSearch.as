@@ -27,10 +27,11 @@ package starlogo.solid
         private var _kernel:TriangleKernel;
         private var _counts:TreeCounts;
 
-        // The structure's extents: minX, maxX, minY, ... While it moves they are those of its core at time 0: the core of a round structure is a point or
-        // a segment. And the extents of the core on its motion until the latest time.
+        // The extents of the moving structure's core at time 0: minX, maxX, minY, ... The core of a round structure is a point or a segment.
+        private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        // The extents near which a triangle is tested: of the core on its motion until the latest time, or of the structure whose nearest triangle is sought.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _sweptExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
@@ -79,7 +80,7 @@ package starlogo.solid
 
         private function beginSweep(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            var extents:Vector.<Number> = _extents;
+            var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
             _first.reset();
             structure.extentsInto(extents);
@@ -110,8 +111,8 @@ package starlogo.solid
         {
             var back:Number = travel < 0 ? travel : 0;
             var ahead:Number = travel > 0 ? travel : 0;
-            _sweptExtents[at] = _extents[at] + back;
-            _sweptExtents[int(at + 1)] = _extents[int(at + 1)] + ahead;
+            _extents[at] = _coreExtents[at] + back;
+            _extents[int(at + 1)] = _coreExtents[int(at + 1)] + ahead;
         }
 
         // Offers the triangles of a leaf that are touched. The motion ends at the first touch so far, and a little later.
@@ -121,7 +122,7 @@ package starlogo.solid
             var end:int = tree.endPrimitive[leaf];
             for (var i:int = tree.firstPrimitive[leaf]; i < end; i++)
             {
-                if (!areExtentsWithin(_plane.cullDistance, _sweptExtents, tree, i))
+                if (!areExtentsWithin(_plane.cullDistance, _extents, tree, i))
                 {
                     continue;
                 }

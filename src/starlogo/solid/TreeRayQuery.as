@@ -67,11 +67,11 @@ package starlogo.solid
             var isExact:Boolean = depth == BoxTree.EXACT;
             if (isExact)
             {
-                addTriangles(model.treeFor(depth), ray, out);
+                addTriangleCrossings(model.treeFor(depth), ray, out);
             }
             else
             {
-                addBoxes(model.boxTree, depth, ray, out);
+                addBoxCrossings(model.boxTree, depth, ray, out);
             }
             return isExact;
         }
@@ -123,7 +123,7 @@ package starlogo.solid
             _search.beginAlong(tree, depth, ray);
             for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
             {
-                if (findSpan(tree, leaf, ray) && _entry.setToEntry(ray, _span) && !(isMet && _entry.distance >= out.distance))
+                if (findSpan(tree, leaf, ray) && _entry.setToEntry(ray, _span) && (!isMet || _entry.distance < out.distance))
                 {
                     isMet = out.setToEntry(ray, _span);
                     _search.limit = out.distance;
@@ -138,7 +138,7 @@ package starlogo.solid
         }
 
         // Adds all crossings with triangles.
-        private function addTriangles(tree:BoxTree, ray:Ray, out:RayCrossings):void
+        private function addTriangleCrossings(tree:BoxTree, ray:Ray, out:RayCrossings):void
         {
             _shearedRay.setTo(ray, tree.radiusAboutOrigin);
             _search.beginAlong(tree, BoxTree.EXACT, ray);
@@ -153,7 +153,7 @@ package starlogo.solid
         }
 
         // Adds where the ray enters and leaves the boxes of leaves.
-        private function addBoxes(tree:BoxTree, depth:int, ray:Ray, out:RayCrossings):void
+        private function addBoxCrossings(tree:BoxTree, depth:int, ray:Ray, out:RayCrossings):void
         {
             _search.beginAlong(tree, depth, ray);
             for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())
@@ -165,8 +165,8 @@ package starlogo.solid
             }
         }
 
-        // Finds which part of the ray's line is in the box of a node. Returns whether any is. Nodes are enlarged as it is: widened, a node that is only
-        // touched would be entered before a larger node around it.
+        // Finds which part of the ray's line is in the box of a node. Returns whether any is. The box has margins already, so its factor is 1: were it
+        // widened, a node that is only touched would be entered before a larger node around it.
         private function findSpan(tree:BoxTree, node:int, ray:Ray):Boolean
         {
             return SpanFinder.findInBox(ray, tree.boxOf(node), 1, _span);

@@ -32,10 +32,10 @@ package starlogo.solid
         // Has the structure in a's space as a shape.
         private var _kernel:TriangleKernel = new TriangleKernel();
 
-        // If triangles decide.
-        private var _triangles:StructureTriangleSearch;
+        // Used if triangles decide.
+        private var _triangleSearch:StructureTriangleSearch;
 
-        // If nodes decide: finds the leaves near the structure's extents (minX, maxX, minY, ...), and the closest points of a leaf.
+        // Used if nodes decide: the search for leaves, the structure's extents (minX, maxX, minY, ...), and the closest points of a leaf.
         private var _search:BoxSearch;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _measured:ClosestPoints = new ClosestPoints();
@@ -43,7 +43,7 @@ package starlogo.solid
         /** @param counts counts what the questions take */
         public function TreeStructureQuery(counts:TreeCounts)
         {
-            _triangles = new StructureTriangleSearch(_kernel, counts);
+            _triangleSearch = new StructureTriangleSearch(_kernel, counts);
             _search = new BoxSearch(counts);
         }
 
@@ -68,7 +68,7 @@ package starlogo.solid
         public function findNearestTriangle():int
         {
             pose.setBetween(placementA, placementB, RelativeMotion.NONE, 0);
-            var index:int = _depth == BoxTree.EXACT ? _triangles.findNearest(_tree.treeFor(_depth), placed(), _measured) : -1;
+            var index:int = _depth == BoxTree.EXACT ? _triangleSearch.findNearest(_tree.treeFor(_depth), placed(), _measured) : -1;
             return index < 0 ? -1 : _tree.boxTree.primitives[index];
         }
 
@@ -88,7 +88,7 @@ package starlogo.solid
             }
             if (_depth == BoxTree.EXACT)
             {
-                _triangles.findContact(_tree.boxTree, found, motion, out);
+                _triangleSearch.findContact(_tree.boxTree, found, motion, out);
                 out.triangle = _tree.boxTree.primitives[found];
             }
             else
@@ -100,14 +100,14 @@ package starlogo.solid
         // Finds which triangle, by its index, or else which node is touched first. Returns -1 if none is.
         private function findFirstTouched(motion:RelativeMotion):int
         {
-            return _depth == BoxTree.EXACT ? _triangles.findFirst(_tree.treeFor(_depth), placed(), pose, motion) : findFirstNode(motion);
+            return _depth == BoxTree.EXACT ? _triangleSearch.findFirst(_tree.treeFor(_depth), placed(), pose, motion) : findFirstNode(motion);
         }
 
         // Finds which leaf is touched first. Returns -1 if none is. What stands touches at time 0 or never.
         private function findFirstNode(motion:RelativeMotion):int
         {
             var tree:BoxTree = _tree.boxTree;
-            var structure:BoundingStructure = beginWithExtents();
+            var structure:BoundingStructure = placeInSearch();
             var isStill:Boolean = motion.isStill;
             var first:int = -1;
             _search.beginMet(tree, _depth, motion);
@@ -136,9 +136,9 @@ package starlogo.solid
             return first;
         }
 
-        // Sets the box of the search to the structure's extents. Returns the structure, enlarged by the margin of the pose because boxes
-        // decide. The kernel's shape is not enlarged.
-        private function beginWithExtents():BoundingStructure
+        // Returns the structure in a's space, enlarged by the margin of the pose because boxes decide, and sets the box of the search to its extents.
+        // The kernel's shape is not enlarged.
+        private function placeInSearch():BoundingStructure
         {
             var structure:BoundingStructure = placed();
             structure.widen(pose.margin);
@@ -164,7 +164,7 @@ package starlogo.solid
         {
             if (_depth == BoxTree.EXACT)
             {
-                _triangles.findNearest(_tree.treeFor(_depth), placed(), out);
+                _triangleSearch.findNearest(_tree.treeFor(_depth), placed(), out);
             }
             else
             {
@@ -176,7 +176,7 @@ package starlogo.solid
         private function findClosestOfNodes(out:ClosestPoints):void
         {
             var tree:BoxTree = _tree.boxTree;
-            var structure:BoundingStructure = beginWithExtents();
+            var structure:BoundingStructure = placeInSearch();
             var extents:Vector.<Number> = _extents;
             // the radius of the tree, and half of the structure's extents: the rounding error is relative to them
             var radii:Number = tree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
@@ -185,7 +185,7 @@ package starlogo.solid
             for (var leaf:int = _search.nextNear(); leaf >= 0; leaf = _search.nextNear())
             {
                 StructurePairs.findClosest(tree.boxOf(leaf), structure, _measured);
-                DistanceTraversal.subtractSlack(_measured, tree.levelOf(leaf), 0, radii);
+                DistanceTraversal.subtractNesting(_measured, tree.levelOf(leaf), 0, radii);
                 if (_measured.distance < out.distance)
                 {
                     out.copyFrom(_measured);

@@ -33,7 +33,7 @@ package starlogo.solid
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _cornersOfB:Vector.<Number> = new Vector.<Number>(9, true);
 
-        // Its shape is one triangle; then, for _triangles, the probe. And the plane of the other triangle.
+        // Its shape is one triangle; then, for _triangleSearch, the probe. And the plane of the other triangle.
         private var _kernel:TriangleKernel = new TriangleKernel();
         private var _plane:TrianglePlane = new TrianglePlane();
 
@@ -42,7 +42,7 @@ package starlogo.solid
 
         // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
-        private var _triangles:StructureTriangleSearch = new StructureTriangleSearch(_kernel, new TreeCounts());
+        private var _triangleSearch:StructureTriangleSearch = new StructureTriangleSearch(_kernel, new TreeCounts());
         private var _inA:RelativePose = new RelativePose();
         private var _inB:RelativePose = new RelativePose();
 
@@ -96,7 +96,7 @@ package starlogo.solid
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             _still.latestTime = 1;
-            return _triangles.findFirst(tree, _kernel.setStructure(_probe, pose.placement), pose, _still) >= 0;
+            return _triangleSearch.findFirst(tree, _kernel.setStructure(_probe, pose.placement), pose, _still) >= 0;
         }
     }
 }

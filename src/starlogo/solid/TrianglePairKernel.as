@@ -90,18 +90,18 @@ package starlogo.solid
         /**
          * Finds when triangles of two leaves first touch.
          *
-         * @param out the first touch so far; receives that of the two leaves if it counts as earlier
+         * @param impact the first touch so far; receives that of the two leaves if it counts as earlier
          */
-        public function findEarlier(a:int, b:int, out:FirstImpact):void
+        public function findEarlier(a:int, b:int, impact:FirstImpact):void
         {
             var first:int = _trees.a.firstPrimitive[a];
             var end:int = _trees.a.endPrimitive[a];
             // Higher indices come first, as the traversal visits the right child first if both bounds are equal.
-            for (var i:int = placeTriangles(b) - 1; i >= 0 && out.time > 0; i--)
+            for (var i:int = placeTriangles(b) - 1; i >= 0 && impact.time > 0; i--)
             {
                 setTriangleOfB(i);
                 _planeOfB.setTriangle(_placed, 9 * i);
-                for (var indexA:int = end - 1; indexA >= first && out.time > 0; indexA--)
+                for (var indexA:int = end - 1; indexA >= first && impact.time > 0; indexA--)
                 {
                     if (!areExtentsWithin(0, _extents, _trees.a, indexA))
                     {
@@ -113,10 +113,10 @@ package starlogo.solid
                         continue;
                     }
                     _kernel.findTimeOfImpact(_cornersOfA, _motion);
-                    if (out.offer(_motion, _planeOfA, _planeOfB))
+                    if (impact.offer(_motion, _planeOfA, _planeOfB))
                     {
-                        out.a = indexA;
-                        out.b = _firstPlaced + i;
+                        impact.a = indexA;
+                        impact.b = _firstPlaced + i;
                     }
                 }
             }

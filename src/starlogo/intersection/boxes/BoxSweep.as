@@ -94,10 +94,10 @@ package starlogo.intersection.boxes
             writeTime(clipByFaces(pair, motion), motion);
         }
 
-        // Writes when the boxes first touch, if they do.
-        private function writeTime(areTouching:Boolean, motion:RelativeMotion):void
+        // Writes from which time on no axis that was tried separates the boxes, if anything is left of the interval.
+        private function writeTime(isAnyLeft:Boolean, motion:RelativeMotion):void
         {
-            motion.time = areTouching ? Math.min(_times.timeOfImpact, _times.latestTime) : RelativeMotion.NEVER;
+            motion.time = isAnyLeft ? Math.min(_times.timeOfImpact, _times.latestTime) : RelativeMotion.NEVER;
         }
 
         // Clips the interval by the faces of both. Returns whether anything is left.

@@ -123,6 +123,8 @@ package starlogo.solid
 
         private static function visitsOf(collider:HierarchicalCollider, agents:Vector.<Agent>):int
         {
+            // a search of the same agents would keep the pairs of the last one
+            agents[0].jumpTo(0, 0, 0);
             collider.findCollisions(agents);
             assertTrue(collider.statistics.nodeVisits > 0);
             return collider.statistics.nodeVisits;

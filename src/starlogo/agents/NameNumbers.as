@@ -38,7 +38,7 @@ package starlogo.agents
             return append(name);
         }
 
-        /** Gives a name the next number, which it returns, but no number can be found for it. So many names take no sorting. */
+        /** Adds a name without looking for it, and returns its number. The methods that look for a name do not find it, so it is not sorted in. */
         public function append(name:String):int
         {
             return _names.push(name) - 1;

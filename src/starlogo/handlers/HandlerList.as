@@ -10,8 +10,8 @@ package starlogo.handlers
     {
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
-        // How many of the first handlers are removed. The others are not. These stay in their places, so that it takes no longer to remove many handlers
-        // than to add them. The next frame makes the list anew.
+        // The list begins with this number of removed handlers, and has no others. They stay until the next frame makes the list anew, because each splice
+        // at the beginning of a long list would move all others.
         private var _removedCount:int = 0;
 
         /** Adds a handler. */

@@ -21,9 +21,6 @@ package starlogo.handlers
         /** The number of the second agent's breed when the touch began. */
         public var secondBreed:int;
 
-        /** The last frame of the TouchTracker in which it began or went on. */
-        public var lastFrame:int;
-
         /** How many touches began before it. */
         public var order:Number;
 

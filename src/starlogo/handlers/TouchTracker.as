@@ -25,6 +25,9 @@ package starlogo.handlers
         // By index: all touches that there are, and objects for later ones, which have no agents.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
 
+        // By index: the last frame in which the touch began or went on. It is no field of Touch, because a loop over a list is faster.
+        private var _lastFrames:Vector.<int> = new Vector.<int>();
+
         // By the ids of the first and of the second agent: the index of their touch.
         private var _indices:IntPairMap = new IntPairMap();
 
@@ -76,7 +79,7 @@ package starlogo.handlers
                 }
                 else
                 {
-                    _all[touchIndices[pair]].lastFrame = frame;
+                    _lastFrames[touchIndices[pair]] = frame;
                 }
             }
             return _starting;
@@ -85,11 +88,12 @@ package starlogo.handlers
         /** Ends the lost touches: those that do not go on in this frame. */
         public function endLostTouches():void
         {
-            for (var index:int = 0; index < _all.length; index++)
+            for (var index:int = 0; index < _lastFrames.length; index++)
             {
-                var touch:Touch = _all[index];
-                if (touch.lastFrame < frame && touch.first != null)
+                // objects without a touch have old frames too
+                if (_lastFrames[index] < frame && _all[index].first != null)
                 {
+                    var touch:Touch = _all[index];
                     _indices.remove(touch.first.idNumber, touch.second.idNumber);
                     _ended.add(index, touch.order);
                 }
@@ -165,7 +169,7 @@ package starlogo.handlers
             touch.secondBreed = secondBreed;
             touch.hasReachedSecond = false;
             touch.order = _startedCount;
-            touch.lastFrame = frame;
+            _lastFrames[touch.index] = frame;
             _startedCount++;
             _indices.set (first.idNumber, second.idNumber, touch.index);
             return touch;

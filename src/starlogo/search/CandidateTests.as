@@ -199,9 +199,17 @@ package starlogo.search
             {
                 motion.time = areTouching(a, b) ? timeOfCommonMotion(a) : RelativeMotion.NEVER;
             }
-            else
+            else if (_table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE)
             {
-                sweep(a, b, level, motion);
+                _narrowPhase.counts.sweptPairs++;
+                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
+            }
+            else if (areNearOnMotion(a, b, level, motion))
+            {
+                var bodyA:Body = _table.bodyOf(a);
+                var bodyB:Body = _table.bodyOf(b);
+                _narrowPhase.counts.sweptPairs++;
+                _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
             }
         }
 
@@ -219,31 +227,14 @@ package starlogo.search
             return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));
         }
 
-        // Finds the time at which two rows first touch on a motion. The time is NEVER before.
-        private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
-        {
-            if (_table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE)
-            {
-                _narrowPhase.counts.sweptPairs++;
-                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
-            }
-            else if (areNearOnMotion(a, b, level, motion))
-            {
-                var bodyA:Body = _table.bodyOf(a);
-                var bodyB:Body = _table.bodyOf(b);
-                _narrowPhase.counts.sweptPairs++;
-                _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
-            }
-        }
-
         // Whether the extents of a row's whole motion, which ends where the row is, overlap another row's extents, or nearly do. The motion is relative to
         // the other row.
         private function areNearOnMotion(a:int, b:int, level:BinLevel, motion:RelativeMotion):Boolean
         {
-            var e:Extents = _table.extents;
-            return Math.abs(e.x[a] - e.x[b] - motion.x / 2) <= e.halfX[a] + e.halfX[b] + Math.abs(motion.x) / 2 + level.slack
-                && Math.abs(e.y[a] - e.y[b] - motion.y / 2) <= e.halfY[a] + e.halfY[b] + Math.abs(motion.y) / 2 + level.slack
-                && Math.abs(e.z[a] - e.z[b] - motion.z / 2) <= e.halfZ[a] + e.halfZ[b] + Math.abs(motion.z) / 2 + level.slack;
+            var extents:Extents = _table.extents;
+            return Math.abs(extents.x[a] - extents.x[b] - motion.x / 2) <= extents.halfX[a] + extents.halfX[b] + Math.abs(motion.x) / 2 + level.slack
+                && Math.abs(extents.y[a] - extents.y[b] - motion.y / 2) <= extents.halfY[a] + extents.halfY[b] + Math.abs(motion.y) / 2 + level.slack
+                && Math.abs(extents.z[a] - extents.z[b] - motion.z / 2) <= extents.halfZ[a] + extents.halfZ[b] + Math.abs(motion.z) / 2 + level.slack;
         }
     }
 }

@@ -58,7 +58,7 @@ package starlogo.search
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
 
-        // Whether these are the pairs of the last search, so that the next one may update them. If a search throws, it leaves none.
+        // Whether _pairs has the pairs of the last search, so that the next one may update them. A search that throws leaves none.
         private var _hasPairs:Boolean = false;
 
         // The bodies of agents that have changed since the search.
@@ -205,6 +205,7 @@ package starlogo.search
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
             _changedRows.begin(members);
             narrowPhase.counts.members = members.count;
+            // these overwrite the list of members
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, table.listed.rows, input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, table.listed.rows, input);
             _pairOrder.putInOrder(_pairs, _candidateTests.times);

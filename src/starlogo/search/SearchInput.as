@@ -96,12 +96,8 @@ package starlogo.search
         /** The members of the search among all rows of a table, until the next call of this method or of <code>membersAmong()</code>. */
         public function membersOf(table:AgentTable):IntList
         {
-            var rows:IntList = table.listed.rows;
-            if (table.loadingCount == 0 && admitted == null && interests.isNamed(Breeds.ANY_NUMBER))
-            {
-                return rows;
-            }
-            return membersAmong(rows, table);
+            var areAllMembers:Boolean = table.loadingCount == 0 && admitted == null && interests.isNamed(Breeds.ANY_NUMBER);
+            return areAllMembers ? table.listed.rows : membersAmong(table.listed.rows, table);
         }
 
         /** The members among some rows of a table: a list that the caller may change, until the next call. */

@@ -95,7 +95,8 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + SYSTEMS.indexOf(search.narrowPhase.shapeChoice.systemName) * SYSTEM_FACTOR);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS
+                    + SYSTEMS.indexOf(search.narrowPhase.shapeChoice.systemName) * SYSTEM_FACTOR);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);

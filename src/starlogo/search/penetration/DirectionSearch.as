@@ -46,7 +46,7 @@ package starlogo.search.penetration
         private var _back:RelativeMotion = new RelativeMotion();
         private var _parting:ContactPoint = new ContactPoint();
 
-        /** @param pair has begun when a method is called */
+        /** @param pair has the two bodies. Call its <code>setTo()</code> before any method here */
         public function DirectionSearch(pair:DisplacedPair)
         {
             _pair = pair;

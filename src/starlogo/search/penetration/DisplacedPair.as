@@ -98,7 +98,7 @@ package starlogo.search.penetration
         }
 
         /**
-         * Finds the contact of two bodies that do not touch where the pair has begun. Only a first body that moves may have been stopped just before
+         * Finds the contact of two bodies that do not touch at the time of the motion in <code>setTo()</code>. Only a first body that moves may have been stopped just before
          * the touch, because of rounding.
          *
          * @param motion as in setTo

@@ -35,7 +35,7 @@ package starlogo.search.penetration
         private var _tried:Displacement = new Displacement();
 
         /**
-         * @param pair the two bodies are those of its last beginning
+         * @param pair takes the two bodies of each search
          * @param groundExits what is known about the exits from the ground; null if the second body is not the ground. Then the deepest point of no
          *     contact is known
          * @param placesAbove of the pair; null if the second body is not the ground

@@ -30,8 +30,8 @@ package starlogo.search.penetration
         // The planes that the body slides along. The displacement out of them is the place where it slides to.
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
 
-        // The length of the shortest push so far, a place above which one is looked for, another one as high as the body can begin, and the end of a
-        // push that is tried.
+        // The length of the shortest push so far; a place beside the body's own; a place above that one, from which the body is swept down; and a push
+        // that is tried.
         private var _shortest:Number = 0;
         private var _place:Vector3D = new Vector3D();
         private var _above:Vector3D = new Vector3D();
@@ -44,7 +44,7 @@ package starlogo.search.penetration
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _met:ContactPoint = new ContactPoint();
 
-        /** @param pair has begun when a method is called. Its second body is the ground */
+        /** @param pair has a body and the ground. Call its <code>setTo()</code> before any method here */
         public function PlacesAbove(pair:DisplacedPair)
         {
             _pair = pair;
@@ -92,20 +92,20 @@ package starlogo.search.penetration
             var fartherFactor:Number = along > 0 ? 1 + _pair.minOpening / along : 1;
             var fartherX:Number = place.x * fartherFactor;
             var fartherY:Number = place.y * fartherFactor;
-            var highSquared:Number = _shortest * _shortest - (fartherX * fartherX + fartherY * fartherY);
-            if (!(highSquared > 0))
+            var heightSquared:Number = _shortest * _shortest - (fartherX * fartherX + fartherY * fartherY);
+            if (!(heightSquared > 0))
             {
                 return;
             }
-            var high:Number = Math.sqrt(highSquared);
-            _above.setTo(fartherX, fartherY, high);
+            var height:Number = Math.sqrt(heightSquared);
+            _above.setTo(fartherX, fartherY, height);
             _pair.displaceBy(_above);
             if (!_pair.areTouching())
             {
-                var free:Number = sweepDown();
+                var freePart:Number = sweepDown();
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var fraction:Number = (1 + fartherFactor) / (2 * fartherFactor);
-                var lowest:Number = high * (1 - free) + _pair.minOpening;
+                var lowest:Number = height * (1 - freePart) + _pair.minOpening;
                 if (takeIfFree(fartherX * fraction, fartherY * fraction, lowest, _pair.tolerance))
                 {
                     slideBackRepeatedly();

@@ -24,7 +24,7 @@ package starlogo.search.penetration
         /** Where the pushes end that do not free the body, in all searches since <code>begin()</code>: x and y of each. Read only. */
         public var blockedPlaces:Vector.<Number> = new Vector.<Number>(2 * MAX_CONTACTS * MAX_SEARCHES, true);
 
-        /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
+        /** How many numbers of <code>blockedPlaces</code> are set. Read only. */
         public var blockedEnd:int = 0;
 
         /**
@@ -46,7 +46,7 @@ package starlogo.search.penetration
         private var _tried:Displacement = new Displacement();
 
         /**
-         * @param pair has begun when a method is called
+         * @param pair has the two bodies. Call its <code>setTo()</code> before any method here
          * @param directions shortens pushes that are longer than needed
          */
         public function PushOut(pair:DisplacedPair, directions:DirectionSearch)
@@ -55,7 +55,7 @@ package starlogo.search.penetration
             _directions = directions;
         }
 
-        /** Begins with the pair: forgets the pushes of the last one. */
+        /** Begins with two bodies: forgets the pushes of those before. */
         public function begin():void
         {
             blockedEnd = 0;

@@ -109,15 +109,16 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;
-            if (!listed.isListed(agents))
+            if (agents.length != listed.rows.count || !tryFindChanged(agents))
             {
                 listed.propose(agents);
                 requireShapes(agents);
                 listed.accept(agents);
                 makeRoom();
                 applyListChanges();
+                // now the rows are those of the list
+                tryFindChanged(agents);
             }
-            findChanged(agents);
             findShapes();
             writeShapes();
         }
@@ -280,10 +281,12 @@ package starlogo.search.table
             return shapes[row] != null && !shapes[row].isStale && listed.agentsByRow[row].bodyRevision == _bodyRevisions[row];
         }
 
-        // Finds the rows whose agents have changed since the last search, those whose bodies have (_reshaped), and whether an agent sweeps.
-        private function findChanged(agents:Vector.<Agent>):void
+        // Finds the rows whose agents have changed since the last search, those whose bodies have (_reshaped), and whether an agent sweeps. Returns false
+        // if the rows are those of another list. It compares them in the same loop, because a second one makes still frames slower.
+        private function tryFindChanged(agents:Vector.<Agent>):Boolean
         {
             var rows:Vector.<int> = listed.rows.values;
+            var byRow:Vector.<Agent> = listed.agentsByRow;
             var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
@@ -296,6 +299,10 @@ package starlogo.search.table
             {
                 var row:int = rows[i];
                 var agent:Agent = agents[i];
+                if (byRow[row] !== agent)
+                {
+                    return false;
+                }
                 isSweeping = isSweeping || agent.isSweeping;
                 // isBodyCurrent(), written out for the loop
                 var shape:ModelShape = shapesSeen[row];
@@ -310,6 +317,7 @@ package starlogo.search.table
                 }
             }
             anySweeps = isSweeping;
+            return true;
         }
 
         // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.

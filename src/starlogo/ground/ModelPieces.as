@@ -38,7 +38,7 @@ package starlogo.ground
         /** The kind of the current piece. Read only. */
         public var kind:int = STRUCTURE;
 
-        /** Decides about the current piece, which is its shape, and a triangle of the ground. An inner node is never its shape. */
+        /** Tests the current piece, which is the kernel's shape, with a triangle of the ground. For an inner node the shape is still an earlier piece. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** The margin of the current piece, with the margins of the model's place and surface. Read only. */

@@ -253,6 +253,7 @@ package starlogo.ground
                 return false;
             }
             var shape:ConvexShape = pieces.kernel.shape;
+            // hasPointUnder() has left there the ground under the piece's point
             search.grid.findNormal(_under, _normal);
             var at:int = shape.support(_normal, -1);
             _under.x = shape.origin.x + shape.points[at] - shape.radius * _normal.x + search.origin.x;

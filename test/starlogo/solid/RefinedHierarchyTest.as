@@ -110,19 +110,20 @@ package starlogo.solid
             var greatLand:GreatLand = new GreatLand();
             greatLand.hierarchies.maxDepth = 3;
             greatLand.addModel(bear);
-            var collider:HierarchicalCollider = new HierarchicalCollider(greatLand);
-            collider.maxDepth = int.MAX_VALUE;
             var agents:Vector.<Agent> = new <Agent>[new Agent("bear"), new Agent("bear"), new Agent("bear")];
             agents[1].moveTo(0.2, 0.4, 0.1);
             agents[2].moveTo(0.7, 0.5, 0.1);
             agents[2].traversalDepth = int.MAX_VALUE;
-            var before:int = visitsOf(collider, agents);
+            var before:int = visitsOf(greatLand, agents);
             greatLand.hierarchies.treeOf("bear").preparedInterior();
-            assertEquals(before, visitsOf(collider, agents));
+            assertEquals(before, visitsOf(greatLand, agents));
         }
 
-        private static function visitsOf(collider:HierarchicalCollider, agents:Vector.<Agent>):int
+        // Of a collider that has seen nothing: one whose agents have not changed since visits nothing.
+        private static function visitsOf(greatLand:GreatLand, agents:Vector.<Agent>):int
         {
+            var collider:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            collider.maxDepth = int.MAX_VALUE;
             collider.findCollisions(agents);
             assertTrue(collider.statistics.nodeVisits > 0);
             return collider.statistics.nodeVisits;

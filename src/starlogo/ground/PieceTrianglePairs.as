@@ -222,11 +222,11 @@ package starlogo.ground
             }
             // the corner of the box that is farthest behind the plane
             var normal:Vector3D = triangle.plane.normal;
-            x = normal.x > 0 ? box.x - box.halfX : box.x + box.halfX;
-            y = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
-            z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
-            // a flat triangle has no plane
-            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > gap - search.minDepth);
+            var cornerX:Number = normal.x > 0 ? box.x - box.halfX : box.x + box.halfX;
+            var cornerY:Number = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
+            var cornerZ:Number = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
+            // a flat triangle has no plane: then this is NaN, and the triangle counts
+            return !(normal.x * cornerX + normal.y * cornerY + normal.z * cornerZ - triangle.plane.max > gap - search.minDepth);
         }
 
         /** Finds the ground under a point of the current piece. Returns whether the point is at least this deep under it. */

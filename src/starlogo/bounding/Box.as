@@ -169,18 +169,20 @@ package starlogo.bounding
             out[0] = m.r00 * x + m.r01 * y + m.r02 * z;
             out[1] = m.r10 * x + m.r11 * y + m.r12 * z;
             out[2] = m.r20 * x + m.r21 * y + m.r22 * z;
-            var margin:Number = Math.abs(x) + Math.abs(y) + Math.abs(z);
-            x = halfX * size;
-            y = halfY * size;
-            z = halfZ * size;
-            margin = Tolerances.ROUNDING * (margin + x + y + z);
-            // how far each of the box's axes extends along x, y and z
-            out[3] = x * Math.abs(m.r00 * axisX.x + m.r01 * axisX.y + m.r02 * axisX.z) + y * Math.abs(m.r00 * axisY.x + m.r01 * axisY.y + m.r02 * axisY.z)
-                + z * Math.abs(m.r00 * axisZ.x + m.r01 * axisZ.y + m.r02 * axisZ.z) + margin;
-            out[4] = x * Math.abs(m.r10 * axisX.x + m.r11 * axisX.y + m.r12 * axisX.z) + y * Math.abs(m.r10 * axisY.x + m.r11 * axisY.y + m.r12 * axisY.z)
-                + z * Math.abs(m.r10 * axisZ.x + m.r11 * axisZ.y + m.r12 * axisZ.z) + margin;
-            out[5] = x * Math.abs(m.r20 * axisX.x + m.r21 * axisX.y + m.r22 * axisX.z) + y * Math.abs(m.r20 * axisY.x + m.r21 * axisY.y + m.r22 * axisY.z)
-                + z * Math.abs(m.r20 * axisZ.x + m.r21 * axisZ.y + m.r22 * axisZ.z) + margin;
+            var scaledHalfX:Number = halfX * size;
+            var scaledHalfY:Number = halfY * size;
+            var scaledHalfZ:Number = halfZ * size;
+            var margin:Number = Tolerances.ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z) + scaledHalfX + scaledHalfY + scaledHalfZ);
+            // a row of the rotation times each axis: how far the halves reach along x, y and z
+            out[3] = scaledHalfX * Math.abs(m.r00 * axisX.x + m.r01 * axisX.y + m.r02 * axisX.z)
+                + scaledHalfY * Math.abs(m.r00 * axisY.x + m.r01 * axisY.y + m.r02 * axisY.z)
+                + scaledHalfZ * Math.abs(m.r00 * axisZ.x + m.r01 * axisZ.y + m.r02 * axisZ.z) + margin;
+            out[4] = scaledHalfX * Math.abs(m.r10 * axisX.x + m.r11 * axisX.y + m.r12 * axisX.z)
+                + scaledHalfY * Math.abs(m.r10 * axisY.x + m.r11 * axisY.y + m.r12 * axisY.z)
+                + scaledHalfZ * Math.abs(m.r10 * axisZ.x + m.r11 * axisZ.y + m.r12 * axisZ.z) + margin;
+            out[5] = scaledHalfX * Math.abs(m.r20 * axisX.x + m.r21 * axisX.y + m.r22 * axisX.z)
+                + scaledHalfY * Math.abs(m.r20 * axisY.x + m.r21 * axisY.y + m.r22 * axisY.z)
+                + scaledHalfZ * Math.abs(m.r20 * axisZ.x + m.r21 * axisZ.y + m.r22 * axisZ.z) + margin;
         }
 
         /** @private */

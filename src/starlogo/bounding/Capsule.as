@@ -135,13 +135,13 @@ package starlogo.bounding
         override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
             var m:Placement = placement;
-            var half:Number = m.size / 2;
-            var x:Number = (start.x + end.x) * half;
-            var y:Number = (start.y + end.y) * half;
-            var z:Number = (start.z + end.z) * half;
-            var toEndX:Number = (end.x - start.x) * half;
-            var toEndY:Number = (end.y - start.y) * half;
-            var toEndZ:Number = (end.z - start.z) * half;
+            var halfSize:Number = m.size / 2;
+            var x:Number = (start.x + end.x) * halfSize;
+            var y:Number = (start.y + end.y) * halfSize;
+            var z:Number = (start.z + end.z) * halfSize;
+            var toEndX:Number = (end.x - start.x) * halfSize;
+            var toEndY:Number = (end.y - start.y) * halfSize;
+            var toEndZ:Number = (end.z - start.z) * halfSize;
             var outerRadius:Number = radius * m.size;
             outerRadius += Tolerances.ROUNDING * (outerRadius + (Math.abs(x) + Math.abs(y) + Math.abs(z)
                         + (Math.abs(toEndX) + Math.abs(toEndY) + Math.abs(toEndZ))));

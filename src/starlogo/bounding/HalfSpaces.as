@@ -127,6 +127,7 @@ package starlogo.bounding
             out.push(x, y, z, most);
         }
 
+        // Adds the half-spaces on both sides of the plane through the centre with a normal of any length; none if rounding has left no length.
         private static function addThroughCentre(x:Number, y:Number, z:Number, out:Vector.<Number>):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);

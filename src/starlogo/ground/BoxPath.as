@@ -29,7 +29,7 @@ package starlogo.ground
         public var alongY:AxisPath = new AxisPath();
 
         /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
-        public var latestTime:Number = 0;
+        public var latestAtBegin:Number = 0;
 
         // How far the box reaches above and below its middle, and the slack.
         private var _reachZ:Number = 0;
@@ -44,7 +44,7 @@ package starlogo.ground
             var grid:HeightGrid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
-            latestTime = motion.latestTime;
+            latestAtBegin = motion.latestTime;
             alongX.cellsBegin = grid.x - search.origin.x - grid.border;
             alongY.cellsBegin = grid.y - search.origin.y - grid.border;
             alongX.lastCell = grid.lastCellColumn;
@@ -53,7 +53,7 @@ package starlogo.ground
             var whole:HeightBounds = grid.pyramid.whole;
             slack = TERMS_OF_PLACE * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
                     + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(search.origin.z) + grid.cellWidth + whole.max - whole.min
-                    + latestTime * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
+                    + latestAtBegin * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
             alongX.reach = box.halfX * Tolerances.OUTER + slack;
             alongX.speed = motion.x;
@@ -73,8 +73,8 @@ package starlogo.ground
         public function firstLevel():int
         {
             // the longer side of the rectangle over which the box passes
-            var length:Number = Math.max(2 * alongX.reach + latestTime * Math.abs(alongX.speed), 2 * alongY.reach + latestTime * Math.abs(alongY.speed))
-                + 2 * search.maxDistance;
+            var length:Number = Math.max(2 * alongX.reach + latestAtBegin * Math.abs(alongX.speed),
+                    2 * alongY.reach + latestAtBegin * Math.abs(alongY.speed)) + 2 * search.maxDistance;
             var level:int = 0;
             while (level < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(level))
             {
@@ -117,9 +117,9 @@ package starlogo.ground
         }
 
         /**
-         * Finds the part of the motion in which the box is over a square.
+         * Clips a passage to the part of the motion in which the box is over a square.
          *
-         * @param passage receives the part. Its latest time is given: that of the whole motion that counts
+         * @param passage from the motion's start to its own latest time; receives the part
          * @return whether there is such a part
          */
         public function clipToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean

@@ -34,7 +34,7 @@ package starlogo.ground
 
         /**
          * @param path of the boxes over the ground
-         * @param passage how the box passes over the current cell
+         * @param passage how the box passes over the current cell; the caller clips it to each cell
          */
         public function CellTriangles(path:BoxPath, passage:SquarePassage)
         {
@@ -48,7 +48,7 @@ package starlogo.ground
             _next = _end = 0;
         }
 
-        /** Begins with a cell, which the passage is clipped to. */
+        /** Begins with a cell. */
         public function begin(column:int, row:int):void
         {
             var grid:HeightGrid = _path.search.grid;
@@ -76,7 +76,7 @@ package starlogo.ground
                 _end = TOPS_END;
                 if (hasWalls)
                 {
-                    _longestPassage.latest = _path.latestTime;
+                    _longestPassage.latest = _path.latestAtBegin;
                     _path.clipToSquare(0, column, row, _longestPassage);
                     _end = WALLS_END;
                 }

@@ -53,14 +53,6 @@ package starlogo.ground
             halfZ = (maxZ - minZ) / 2;
         }
 
-        /** Becomes larger on all sides. */
-        public function grow(distance:Number):void
-        {
-            halfX += distance;
-            halfY += distance;
-            halfZ += distance;
-        }
-
         /** Becomes the box around a motion of the box until its latest time. */
         public function extendAlong(motion:RelativeMotion):void
         {

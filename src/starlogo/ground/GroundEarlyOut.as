@@ -51,9 +51,9 @@ package starlogo.ground
             _under.x = extents.x;
             _under.y = extents.y;
             grid.findHeight(_under);
-            // NaN if no ground is below. Then nothing is known
+            // NaN if no ground is below: then all comparisons are false
             var above:Number = extents.z - _under.height;
-            // a sphere is a ball around its middle, another agent has at least its middle
+            // a sphere contains the ball around its middle, another agent at least the middle itself
             if (above <= 0 || isSphere && above <= extents.halfX)
             {
                 // the middle of a hull's extents may be outside of the hull
@@ -65,34 +65,34 @@ package starlogo.ground
             return isApart ? APART : UNKNOWN;
         }
 
+        // Finds the extents that are large enough for all rounding.
         private function findOuter(grid:HeightGrid, extents:GroundBox):void
         {
             var whole:HeightBounds = grid.pyramid.whole;
             var margin:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
                     + Math.abs(whole.min) + Math.abs(whole.max));
-            _outer.x = extents.x;
-            _outer.y = extents.y;
-            _outer.z = extents.z;
+            _outer.copyFrom(extents);
             _outer.halfX = extents.halfX * Tolerances.OUTER + margin;
             _outer.halfY = extents.halfY * Tolerances.OUTER + margin;
             _outer.halfZ = extents.halfZ * Tolerances.OUTER + margin;
         }
 
-        // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
+        // Whether the agent is above all heights near it, or above all slopes between them.
         private function isFar(grid:HeightGrid, isSphere:Boolean):Boolean
         {
             grid.pyramid.findAround(_outer.x, _outer.y, _outer.halfX, _outer.halfY, _heightsAround);
             return _outer.z - _outer.halfZ > _heightsAround.max || isAboveSlopes(grid, isSphere, _heightsAround);
         }
 
-        // Whether the agent is higher above its place than slopes of some heights reach. Blocks have no slopes.
+        // Whether the agent is above all slopes through the place under its middle that are at most as steep as the steps of some heights. The steepest one
+        // touches a box at a corner, and a sphere where the slope's normal leads. Blocks have no slopes.
         private function isAboveSlopes(grid:HeightGrid, isSphere:Boolean, heights:HeightBounds):Boolean
         {
             var riseX:Number = heights.maxStepX * _outer.halfX / grid.cellWidth;
             var riseY:Number = heights.maxStepY * _outer.halfY / grid.cellWidth;
             var halfZ:Number = _outer.halfZ;
-            var reach:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
-            return !grid.isBlocky && _outer.z - _under.height > reach;
+            var touchHeight:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
+            return !grid.isBlocky && _outer.z - _under.height > touchHeight;
         }
     }
 }

@@ -41,8 +41,8 @@ package starlogo.ground
         }
 
         /**
-         * Finds the contact with the triangle that the model is deepest in. If the model meets none, it is wholly under the ground, and the contact
-         * lifts it up.
+         * Finds the contact with the triangle that the model is deepest in. If there is none near, it is wholly under the ground, and the contact lifts it
+         * up.
          *
          * @param out receives the contact, in the world
          */
@@ -150,7 +150,7 @@ package starlogo.ground
                     {
                         isFound = true;
                         mostOverlap = Math.max(overlap, mostOverlap);
-                        // no overlap is deeper than the piece is behind the plane
+                        // no overlap is deeper than the piece is behind the plane, so planes that it is less deep behind no longer count
                         _pairs.search.minDepth = mostOverlap - rounding;
                         _pairs.moveToWorld(_tried);
                         out.copyFrom(_tried);

@@ -101,7 +101,7 @@ package starlogo.ground
             _search.motion.latestTime = endOf(grid, ray);
             _search.grid = grid;
             _triangles.begin(_search);
-            // only now, so that the distance does not depend on where the ray ends
+            // only now, so that no corner depends on where the ray ends: tall walls are cut at the heights of the whole search
             _search.motion.latestTime = Math.min(ray.to, _search.motion.latestTime);
             var whole:HeightBounds = grid.pyramid.whole;
             // the cell's width, and twice as much because walls are cut a cell's width above and below

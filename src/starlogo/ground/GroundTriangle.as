@@ -4,7 +4,7 @@ package starlogo.ground
     import starlogo.geometry.Touching;
 
     /**
-     * A triangle of the ground's surface, as a record. The box and the plane are for the tests of pieces of a model, which set them.
+     * A triangle of the ground's surface, as a record. GroundTriangles writes the corners. The box and the plane are set by PieceTrianglePairs.
      *
      * @private
      */
@@ -19,7 +19,7 @@ package starlogo.ground
         /** A sphere with this radius around the triangle's middle contains it. It need not be the smallest. */
         public var radius:Number = 0;
 
-        /** The box around it. */
+        /** The box around it; set only for a triangle near an inner node. */
         internal var box:GroundBox = new GroundBox();
 
         /** Its plane, and how far from it other shapes still touch it, because its surface is rounded (see Touching). */

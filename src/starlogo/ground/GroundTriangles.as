@@ -61,7 +61,7 @@ package starlogo.ground
             _squaresEnd = 0;
         }
 
-        /** Whether the search, which has just begun, begins with cells and not with larger squares, because its box comes to few cells. */
+        /** Whether the search began with cells and not with larger squares, because its box comes to few cells. Its maxDistance is still the first one. */
         internal function beginsAtCells():Boolean
         {
             return _path.firstLevel() == 0;

@@ -188,6 +188,7 @@ package starlogo.ground
         {
             for (var level:int = 1; level <= lastLevel; level++)
             {
+                // the heights around a square count for the squares of level 1, and so for those above
                 var overlap:int = level == 1 ? 1 : 0;
                 firstColumn = Math.max(0, firstColumn - overlap) >> SHIFT;
                 firstRow = Math.max(0, firstRow - overlap) >> SHIFT;

@@ -38,7 +38,7 @@ package starlogo.ground
         /** The kind of the current piece. Read only. */
         public var kind:int = STRUCTURE;
 
-        /** Decides about the current piece, which is its shape, and a triangle of the ground. An inner node is never its shape. */
+        /** Tests the current piece, which is the kernel's shape, with a triangle of the ground. For an inner node the shape is still an earlier piece. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
@@ -56,7 +56,7 @@ package starlogo.ground
         /** A point of the current piece; the middle of the box of an inner node. Read only. */
         public var point:Vector3D = new Vector3D();
 
-        /** The range that <code>divide()</code> was given for the pieces in which the current one is; 0 and 0 for the first piece. Read only. */
+        /** The part of a list that the caller has for the current piece: what it gave <code>divide()</code>; 0 and 0 for the first piece. Read only. */
         public var listBegin:int = 0;
         public var listEnd:int = 0;
 
@@ -70,8 +70,8 @@ package starlogo.ground
         private var _placement:Placement = new Placement();
         private var _modelMargin:Number = 0;
 
-        // What comes next: a range of the tree's triangles, then nodes from the last one on. Each has three numbers: the node, and the range for it. Behind
-        // these is the current node.
+        // What comes next: a range of the tree's triangles, then nodes from the last one on. Each has three numbers: the node, and where its part of the
+        // caller's list begins and ends. Behind these is the current node.
         private var _nextTriangle:int = 0;
         private var _trianglesEnd:int = 0;
         private var _nodes:Vector.<int> = new Vector.<int>();
@@ -141,7 +141,8 @@ package starlogo.ground
         /**
          * Divides the current piece, an inner node: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below.
          *
-         * @param listBegin where the range for the pieces inside of it begins; listEnd is where it ends
+         * @param listBegin where the part of the caller's list begins that is for the pieces inside of it
+         * @param listEnd where it ends
          */
         public function divide(listBegin:int, listEnd:int):void
         {
@@ -160,7 +161,7 @@ package starlogo.ground
             push(lower, listBegin, listEnd);
         }
 
-        // Puts a node on the stack, and the range for it.
+        // Puts a node on the stack.
         private function push(node:int, listBegin:int, listEnd:int):void
         {
             _nodes[_nodesEnd] = node;

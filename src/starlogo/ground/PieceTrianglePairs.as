@@ -15,8 +15,8 @@ package starlogo.ground
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
      *
-     * <p>A GroundTriangles finds the triangles near the box of a piece. An inner node that comes to few cells keeps them in a list. Each piece inside of
-     * it takes those near its own box from the list of the node around it, and if it is an inner node, makes a list of these.</p>
+     * <p>A GroundTriangles finds the triangles near the box of a piece, square by square. An inner node whose box comes to few cells keeps them in a list.
+     * Each piece inside of it takes those near its own box from the list of the node around it, and if it is an inner node, lists these in turn.</p>
      */
     internal final class PieceTrianglePairs
     {
@@ -34,10 +34,10 @@ package starlogo.ground
 
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // The triangles that the search has found and that are in a list, and then the one that it finds next. They are used again by later searches, so
+        // The triangles that the current search has found near an inner node, and then a place for the next one. Later searches use the same objects, so
         // frames allocate nothing.
         private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
-        private var _listedCount:int = 0;
+        private var _foundCount:int = 0;
 
         // The lists of the current inner node and of those around it, the outermost one's first.
         private var _lists:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
@@ -101,7 +101,7 @@ package starlogo.ground
                 _next = pieces.listBegin;
                 _end = pieces.listEnd;
                 setBox();
-                if (pieces.kind != ModelPieces.INNER_NODE || !divide())
+                if (pieces.kind != ModelPieces.INNER_NODE || !divideIfNear())
                 {
                     return true;
                 }
@@ -112,7 +112,7 @@ package starlogo.ground
         /** Goes on to the next triangle near the piece: in its list, or if it has none, in the search. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            var isNear:Boolean = _end == 0 && findOneMore();
+            var isNear:Boolean = _end == 0 && findNext();
             while (!isNear && _next < _end)
             {
                 triangle = _lists[_next];
@@ -133,7 +133,9 @@ package starlogo.ground
             if (pieces.kind == ModelPieces.TRIANGLE)
             {
                 _box.setToTriangle(pieces.corners);
-                _box.grow(pieces.shapeMargin);
+                _box.halfX += pieces.shapeMargin;
+                _box.halfY += pieces.shapeMargin;
+                _box.halfZ += pieces.shapeMargin;
             }
             else
             {
@@ -144,7 +146,7 @@ package starlogo.ground
                 search.box.copyFrom(_box);
                 search.shape = pieces.hasShapeInBox ? pieces.kernel.shape : null;
                 _source.begin(search);
-                _listedCount = 0;
+                _foundCount = 0;
             }
             if (!search.motion.isStill)
             {
@@ -153,23 +155,22 @@ package starlogo.ground
         }
 
         // Divides the current piece, an inner node, if a triangle is near it. Returns whether there is one.
-        private function divide():Boolean
+        private function divideIfNear():Boolean
         {
-            var isSearched:Boolean = _end == 0;
+            // its list comes after the list of the node around it
             var begin:int = _end;
             var end:int = _end;
             if (!nextTriangle())
             {
                 return false;
             }
-            // without a list, the pieces inside of it search themselves
-            if (!isSearched || _source.beginsAtCells())
+            // without a list, each piece inside of it has a search of its own
+            if (begin > 0 || _source.beginsAtCells())
             {
                 do
                 {
                     _lists[end] = triangle;
                     end++;
-                    _listedCount = isSearched ? end : _listedCount;
                 }
                 while (nextTriangle());
             }
@@ -177,14 +178,14 @@ package starlogo.ground
             return true;
         }
 
-        // Finds the next triangle of the search: those that it finds are near the box, but an inner node may be all in front of one.
-        private function findOneMore():Boolean
+        // Finds the next triangle of the search. For the smallest pieces all that it finds count: those of the cells under the box, at the box's heights.
+        private function findNext():Boolean
         {
-            if (_listedCount == _found.length)
+            if (_foundCount == _found.length)
             {
                 _found.push(new GroundTriangle());
             }
-            triangle = _found[_listedCount];
+            triangle = _found[_foundCount];
             while (_source.next(triangle))
             {
                 triangle.setPlane();
@@ -195,14 +196,15 @@ package starlogo.ground
                 triangle.box.setToTriangle(triangle.corners);
                 if (isNearBox())
                 {
+                    _foundCount++;
                     return true;
                 }
             }
             return false;
         }
 
-        // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane. A triangle of the
-        // model may be wholly below the box of the triangle that it is deepest behind, so for it only the plane counts.
+        // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane. If the piece is a
+        // triangle, only the plane counts, because the piece may be deepest behind a triangle of the ground whose box is wholly above its own.
         private function isNearBox():Boolean
         {
             var box:GroundBox = _box;
@@ -220,11 +222,11 @@ package starlogo.ground
             }
             // the corner of the box that is farthest behind the plane
             var normal:Vector3D = triangle.plane.normal;
-            x = normal.x > 0 ? box.x - box.halfX : box.x + box.halfX;
-            y = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
-            z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
-            // a flat triangle has no plane
-            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > gap - search.minDepth);
+            var cornerX:Number = normal.x > 0 ? box.x - box.halfX : box.x + box.halfX;
+            var cornerY:Number = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
+            var cornerZ:Number = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
+            // a flat triangle has no plane: then this is NaN, and the triangle counts
+            return !(normal.x * cornerX + normal.y * cornerY + normal.z * cornerZ - triangle.plane.max > gap - search.minDepth);
         }
 
         /** Finds the ground under a point of the current piece. Returns whether the point is at least this deep under it. */
@@ -251,6 +253,7 @@ package starlogo.ground
                 return false;
             }
             var shape:ConvexShape = pieces.kernel.shape;
+            // hasPointUnder() has left there the ground under the piece's point
             search.grid.findNormal(_under, _normal);
             var at:int = shape.support(_normal, -1);
             _under.x = shape.origin.x + shape.points[at] - shape.radius * _normal.x + search.origin.x;

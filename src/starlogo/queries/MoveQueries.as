@@ -37,7 +37,7 @@ package starlogo.queries
 
         private var _slider:Slider = new Slider();
         private var _planner:WalkPlanner;
-        private var _sweep:TouchSweep = new TouchSweep();
+        private var _touchSweep:TouchSweep = new TouchSweep();
         private var _writer:HitWriter;
         private var _hitPool:HitPool = new HitPool(ShapeHit);
 
@@ -86,7 +86,7 @@ package starlogo.queries
             var first:MotionResult = findTouches(body, filter);
             if (first.hasContact)
             {
-                _sweep.moveIntoTouch(body, first);
+                _touchSweep.moveIntoTouch(body, first);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, first.place);
@@ -179,10 +179,10 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             findTouches(body, filter);
-            _hitPool.resize(hits, _sweep.count);
+            _hitPool.resize(hits, _touchSweep.count);
             for (var i:int = 0; i < hits.length; i++)
             {
-                writeHit(_sweep.touchAt(i), hits[i]);
+                writeHit(_touchSweep.touchAt(i), hits[i]);
             }
             return hits;
         }
@@ -192,7 +192,7 @@ package starlogo.queries
         private function findTouches(body:MovingBody, filter:AgentFilter):MotionResult
         {
             body.collectRowsAlong(filter);
-            return _sweep.findTouches(body);
+            return _touchSweep.findTouches(body);
         }
 
         private function writeHit(touch:MotionResult, hit:ShapeHit):ShapeHit

@@ -44,11 +44,11 @@ package starlogo.queries.motion
         private var _contact:ContactPoint = new ContactPoint();
 
         // Where the pushes have led, and the contact of the last one. Its normal is 0 before the first.
-        private var _pushed:Vector3D = new Vector3D();
-        private var _last:ContactPoint = new ContactPoint();
+        private var _pushedPlace:Vector3D = new Vector3D();
+        private var _lastPush:ContactPoint = new ContactPoint();
 
         // Where the body touches a row, for a push off that row.
-        private var _touching:Vector3D = new Vector3D();
+        private var _touchingPlace:Vector3D = new Vector3D();
 
         /** @param shrunk the shrunk body that is freed. A motion has begun it; restoreClearance and measureOverlaps begin it themselves */
         public function Depenetration(shrunk:ShrunkBody)
@@ -103,7 +103,7 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.values[i];
-                if (!body.isOneWay(row) && _shrunk.shrunkTouches(row, place) && findDeepOverlap(row, place))
+                if (!body.isOneWay(row) && _shrunk.touches(row, place) && findDeepOverlap(row, place))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -120,7 +120,7 @@ package starlogo.queries.motion
         {
             var body:MovingBody = _shrunk.body;
             body.findSeparatingContact(row, place, _contact);
-            if (body.isShallow(row, _contact) || !_shrunk.bodyOverlaps(row, place))
+            if (body.isShallow(row, _contact) || !_shrunk.fullBodyOverlaps(row, place))
             {
                 return false;
             }
@@ -142,9 +142,9 @@ package starlogo.queries.motion
                 for (var i:int = 0; i < sweep.obstacles.count; i++)
                 {
                     var row:int = sweep.obstacles.values[i];
-                    if (_shrunk.shrunkTouches(row, _pushed))
+                    if (_shrunk.touches(row, _pushedPlace))
                     {
-                        findContactOfPush(row, _pushed, round);
+                        findContactOfPush(row, _pushedPlace, round);
                         if (!_shrunk.body.isShallow(row, _contact) || !tryPush(_contact.depth + _shrunk.clearance, round))
                         {
                             sweep.pushes.clear();
@@ -155,7 +155,7 @@ package starlogo.queries.motion
                     }
                 }
             }
-            sweep.start.copyFrom(_pushed);
+            sweep.start.copyFrom(_pushedPlace);
             return true;
         }
 
@@ -180,13 +180,13 @@ package starlogo.queries.motion
                     }
                 }
             }
-            place.copyFrom(_pushed);
+            place.copyFrom(_pushedPlace);
         }
 
         private function beginPushes(place:Vector3D):void
         {
-            _pushed.copyFrom(place);
-            _last.setNormal(0, 0, 0);
+            _pushedPlace.copyFrom(place);
+            _lastPush.setNormal(0, 0, 0);
         }
 
         // Pushes the body along the contact. Returns whether it does: not if the body is between two rows, or after too many rounds.
@@ -198,8 +198,8 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            _contact.movePoint(_pushed, length);
-            _last.copyFrom(_contact);
+            _contact.movePoint(_pushedPlace, length);
+            _lastPush.copyFrom(_contact);
             return true;
         }
 
@@ -212,8 +212,8 @@ package starlogo.queries.motion
             while (i < sweep.obstacles.count)
             {
                 var row:int = sweep.obstacles.values[i];
-                var isOverlapped:Boolean = _shrunk.shrunkTouches(row, sweep.start);
-                if (isOverlapped && (_shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
+                var isOverlapped:Boolean = _shrunk.touches(row, sweep.start);
+                if (isOverlapped && (_shrunk.body.passesOneWayAt(row, sweep.start, _contact) || tryReplaceByPlane(row, sweep, alsoShallow)))
                 {
                     sweep.obstacles.remove(row);
                 }
@@ -229,7 +229,7 @@ package starlogo.queries.motion
         // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body gets
         // smaller, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
         // the row, not the body. Returns whether the plane stands.
-        private function addPlane(row:int, sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
+        private function tryReplaceByPlane(row:int, sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
             var body:MovingBody = _shrunk.body;
             body.findContact(row, sweep.start, _contact);
@@ -241,7 +241,7 @@ package starlogo.queries.motion
                 }
                 body.findSeparatingContact(row, sweep.start, _contact);
             }
-            if (_shrunk.shrinkUntilFree(row, sweep.start) || !_shrunk.bodyOverlaps(row, sweep.start))
+            if (_shrunk.shrinkUntilFree(row, sweep.start) || !_shrunk.fullBodyOverlaps(row, sweep.start))
             {
                 return false;
             }
@@ -255,19 +255,19 @@ package starlogo.queries.motion
         {
             var body:MovingBody = _shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(row) || body.passesOneWayAt(row, _touching, _contact) || (!_shrunk.isFlat && _shrunk.shrunkTouches(row, _pushed)))
+            if (!findTouchingPlace(row) || body.passesOneWayAt(row, _touchingPlace, _contact) || (!_shrunk.isFlat && _shrunk.touches(row, _pushedPlace)))
             {
                 return 0;
             }
-            findContactOfPush(row, _touching, round);
+            findContactOfPush(row, _touchingPlace, round);
             var most:Number = SLOPS_OF_TOUCH * _shrunk.slop;
             if (_contact.depth > most && !body.isShallow(row, _contact))
             {
                 return 0;
             }
-            var toX:Number = _pushed.x - _touching.x;
-            var toY:Number = _pushed.y - _touching.y;
-            var toZ:Number = _pushed.z - _touching.z;
+            var toX:Number = _pushedPlace.x - _touchingPlace.x;
+            var toY:Number = _pushedPlace.y - _touchingPlace.y;
+            var toZ:Number = _pushedPlace.z - _touchingPlace.z;
             // how far the body is along the normal already
             var ahead:Number = _contact.normalX * toX + _contact.normalY * toY + _contact.normalZ * toZ;
             if (ahead < 0)
@@ -305,23 +305,23 @@ package starlogo.queries.motion
         // Whether a push along the contact leads back against the last one. Then the body is between two rows.
         private function leadsBack():Boolean
         {
-            return _contact.normalX * _last.normalX + _contact.normalY * _last.normalY + _contact.normalZ * _last.normalZ < OPPOSITE;
+            return _contact.normalX * _lastPush.normalX + _contact.normalY * _lastPush.normalY + _contact.normalZ * _lastPush.normalZ < OPPOSITE;
         }
 
         // Finds where the body touches a row: where the pushes have led, or if the body is flat, half of a clearance beside this along an axis. Returns whether
         // it touches the row at one of these.
         private function findTouchingPlace(row:int):Boolean
         {
-            _touching.copyFrom(_pushed);
-            var touches:Boolean = _shrunk.bodyTouches(row, _touching);
+            _touchingPlace.copyFrom(_pushedPlace);
+            var touches:Boolean = _shrunk.fullBodyTouches(row, _touchingPlace);
             for (var i:int = 0; _shrunk.isFlat && !touches && i < 6; i++)
             {
                 var beside:Number = i < 3 ? -_shrunk.clearance / 2 : _shrunk.clearance / 2;
                 var x:Number = i % 3 == 2 ? beside : 0;
                 var y:Number = i % 3 == 1 ? beside : 0;
                 var z:Number = i % 3 == 0 ? beside : 0;
-                _touching.setTo(_pushed.x + x, _pushed.y + y, _pushed.z + z);
-                touches = _shrunk.bodyTouches(row, _touching);
+                _touchingPlace.setTo(_pushedPlace.x + x, _pushedPlace.y + y, _pushedPlace.z + z);
+                touches = _shrunk.fullBodyTouches(row, _touchingPlace);
             }
             return touches;
         }

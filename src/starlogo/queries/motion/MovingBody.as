@@ -1,5 +1,6 @@
-// This folder moves a MovingBody among the rows of a table. Slider (slides) and TouchSweep (casts) do it by a ShrunkSweep for each motion, which owns a
-// ShrunkBody, and the Depenetration that frees it. All ask the MovingBody. The head of AgentMotions says in which order to read a walk. Its words:
+// This folder moves a MovingBody among the rows of a table: Slider along what it meets, TouchSweep up to a touch. Both sweep each motion by a
+// ShrunkSweep. It has a ShrunkBody, and a Depenetration that frees this from overlaps. The head of AgentMotions says in which order to read a walk.
+// The words of this folder:
 // Shrunk body: the body, but smaller, at first by a slop on each side (ShrunkBody). Only what it meets stops the body, so the body may touch what it
 // stands on or runs along.
 // Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (Depenetration), a walk with pushes out of
@@ -83,7 +84,7 @@ package starlogo.queries.motion
             _seen.requirePlaced(agent);
             this.agent = agent;
             _copy.copyFrom(_seen.bodyOf(agent));
-            return begin(_copy);
+            return setFullBody(_copy);
         }
 
         /** Turns the body of an agent by some degrees. */
@@ -95,7 +96,7 @@ package starlogo.queries.motion
             }
         }
 
-        private function begin(body:Body):MovingBody
+        private function setFullBody(body:Body):MovingBody
         {
             fullBody = body;
             from.x = body.placement.x;
@@ -111,14 +112,14 @@ package starlogo.queries.motion
         public function setToCastAgent(agent:Agent):MovingBody
         {
             setToAgent(agent);
-            return hasShape && fullBody.kind < ModelShape.TREE ? begin(_structureBody.setTo(fullBody.shape.structure, fullBody.placement)) : this;
+            return hasShape && fullBody.kind < ModelShape.TREE ? setFullBody(_structureBody.setTo(fullBody.shape.structure, fullBody.placement)) : this;
         }
 
         /** Becomes the body of a structure in the world. See <code>StructureBody.setTo()</code>. */
         public function setToStructure(structure:BoundingStructure):MovingBody
         {
             agent = null;
-            return begin(_structureBody.setTo(structure));
+            return setFullBody(_structureBody.setTo(structure));
         }
 
         /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */

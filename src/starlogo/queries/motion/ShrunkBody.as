@@ -120,7 +120,7 @@ package starlogo.queries.motion
             var tried:Number = shrink;
             var most:Number = shrinkOf(body.fullBody, _maxLoss);
             setShrink(most);
-            if (shrunkTouches(row, place))
+            if (touches(row, place))
             {
                 setShrink(tried);
                 return false;
@@ -130,7 +130,7 @@ package starlogo.queries.motion
                 tried = Math.min(SHRINK_GROWTH * tried, most);
                 setShrink(tried);
             }
-            while (shrink < most && shrunkTouches(row, place));
+            while (shrink < most && touches(row, place));
             return true;
         }
 
@@ -168,15 +168,15 @@ package starlogo.queries.motion
         }
 
         /** Whether the full body touches a row when it stands at a place. It compares their extents first. */
-        public function bodyTouches(row:int, place:Vector3D):Boolean
+        public function fullBodyTouches(row:int, place:Vector3D):Boolean
         {
             return isNear(body.moveTo(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
         }
 
         /** Whether the shrunk body touches a row when the body stands at a place. The full body is tested first, because mostly it does not touch either. */
-        public function shrunkTouches(row:int, place:Vector3D):Boolean
+        public function touches(row:int, place:Vector3D):Boolean
         {
-            return bodyTouches(row, place) && body.narrowPhase.areTouching(moveTo(place), body.bodyOf(row));
+            return fullBodyTouches(row, place) && body.narrowPhase.areTouching(moveTo(place), body.bodyOf(row));
         }
 
         /**
@@ -184,7 +184,7 @@ package starlogo.queries.motion
          * shrunk body may touch that, but the body does not overlap it. So the row is made smaller instead, and must touch the body then. In the
          * ground, a part of the body must be deep.
          */
-        public function bodyOverlaps(row:int, place:Vector3D):Boolean
+        public function fullBodyOverlaps(row:int, place:Vector3D):Boolean
         {
             var other:Body = body.bodyOf(row);
             var fullBody:Body = body.moveTo(place);

@@ -70,8 +70,9 @@ package starlogo.queries.motion
             obstacles.copyFrom(rows);
             impact.row = -1;
             shrunk.begin(body, rows, from, motion);
-            // a sweep cannot tell whether a flat body overlaps anything
-            if (hasLength(motion) && (shrunk.isFlat || (findFirstImpact(start, motion, true) && (impact.time == 0 || body.isOneWay(impact.row)))))
+            // a flat body and a one-way row need a test of where the body stands, because a sweep cannot tell
+            var mayOverlap:Boolean = shrunk.isFlat || (findFirstImpact(start, motion, true) && (impact.time == 0 || body.isOneWay(impact.row)));
+            if (mayOverlap && hasLength(motion))
             {
                 depenetration.depenetrate(this);
                 if (planes.count == 0)
@@ -104,9 +105,9 @@ package starlogo.queries.motion
 
         /**
          * Finds the impact: which obstacle the shrunk body meets first, also if it is a one-way row that the body passes. It meets none if the motion has
-         * no length. Of those that are met at the same time, the first one in their order counts. Without a contact that points against the motion, an
-         * obstacle counts a clearance later, unless it is met at once: if a corner of the shrunk body enters a floor exactly between two tiles, along the side
-         * of one of them, the top of the other stops it.
+         * no length. Of those that are met at the same time, the first one in their order counts. An obstacle whose contact does not point against the
+         * motion counts a clearance later, unless it is met at once. So if a corner of the shrunk body enters a floor exactly between two tiles, along the
+         * side of one of them, the top of the other stops it.
          *
          * @param from where the body is
          * @param motion what is left of the motion

@@ -76,7 +76,7 @@ package starlogo.queries.motion
                 }
                 var touchTime:Number = sweep.findTouchTime(result.place, _remaining.motion);
                 _remaining.advance(result.place, Math.max(touchTime + sweep.shrunk.clearance / impact.contact.along(_remaining.motion), 0));
-                noteContact(impact, limits, result);
+                respondTo(impact, limits, result);
                 dropNeedlessPlanes(result.place, corner, sweep.planes.add(impact.contact, impact.row));
                 projectAndSweep(result.place);
             }
@@ -133,8 +133,8 @@ package starlogo.queries.motion
             return slide(body, body.rows, from, _vertical, _fall);
         }
 
-        // Notes what a slide meets. What is too steep becomes an upright wall. The rest climbs what is not.
-        private function noteContact(impact:Impact, limits:SlideLimits, out:MotionResult):void
+        // Responds to what a slide meets. What is too steep becomes an upright wall. The rest of the motion climbs what is not. The result gets the contact.
+        private function respondTo(impact:Impact, limits:SlideLimits, out:MotionResult):void
         {
             var contact:ContactPoint = impact.contact;
             if (!impact.isNormalFallback && (!out.hasContact || contact.normalZ > out.contact.normalZ))

@@ -44,7 +44,7 @@ package starlogo.queries.motion
         /**
          * Finds the rows of a body that stop its motion, each as if the others were not there. Those with the same time keep their order.
          *
-         * @param body has begun, and has the motion and the rows near its way
+         * @param body has the motion, and the rows near its way
          * @return the first of these touches, or if there are none, the result of the free motion
          */
         public function findTouches(body:MovingBody):MotionResult
@@ -185,7 +185,7 @@ package starlogo.queries.motion
             var push:Number = contact.normalX * (start.x - from.x) + contact.normalY * (start.y - from.y) + contact.normalZ * (start.z - from.z);
             var along:Number = contact.along(body.motion);
             out.fraction = Math.max(0, Math.min(1, out.fraction + push / along));
-            if (-out.fraction * along < _sweepOfRow.shrunk.slop && _sweepOfRow.shrunk.bodyTouches(out.row, from))
+            if (-out.fraction * along < _sweepOfRow.shrunk.slop && _sweepOfRow.shrunk.fullBodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;

@@ -49,7 +49,7 @@ package starlogo.queries.motion
         private var _platforms:PlatformCarry;
         private var _floorFinder:FloorFinder;
 
-        // The motion and the limits of a step.
+        // A motion, and the limits of the slide of a substep.
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits(-Infinity);
 
@@ -82,7 +82,7 @@ package starlogo.queries.motion
         {
             var walk:WalkState = WalkState(_walkPool.top);
             begin(agent, dx, dy, options, walk);
-            var beginsStanding:Boolean = standOrPushOut(walk);
+            var beginsStanding:Boolean = pushOutAndStand(walk);
             if (!walkSubsteps(walk, beginsStanding) && !fall(walk))
             {
                 walk.floorRow = -1;
@@ -117,7 +117,7 @@ package starlogo.queries.motion
             var options:WalkOptions = walk.options;
             var body:MovingBody = walk.body;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + depthAfterFall(walk) / 2 + walk.carry.length + distance;
+            var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + maxSlideDepth(walk) / 2 + walk.carry.length + distance;
             range += maxFloorDistanceAmong(walk, body.largestExtentBound);
             body.collectRowsWithin(range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
             walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtentAmong(body.rows));
@@ -129,8 +129,8 @@ package starlogo.queries.motion
             return Math.max(FLOOR_DISTANCE * walk.body.extent, FLOOR_SLOPS * walk.body.maxSlop(walk.substepLength, largest));
         }
 
-        // Pushes the agent out of what it overlaps. Returns whether it stands then.
-        private function standOrPushOut(walk:WalkState):Boolean
+        // Pushes the agent out of what it overlaps, and lets it stand on the floor there. Returns whether it stands.
+        private function pushOutAndStand(walk:WalkState):Boolean
         {
             walk.substepStart.copyFrom(walk.place);
             var lift:Number = liftByPlatforms(walk);
@@ -140,11 +140,9 @@ package starlogo.queries.motion
                 pushOutOfDeep(walk, lift);
                 down = _slider.moveVertically(walk.body, walk.place, -walk.maxFloorDistance);
             }
-            // not Vector3D.distance, which allocates in Flash Player
-            var x:Number = walk.place.x - walk.substepStart.x;
-            var y:Number = walk.place.y - walk.substepStart.y;
-            var z:Number = walk.place.z - walk.substepStart.z;
-            walk.pushed = Math.sqrt(x * x + y * y + z * z);
+            _motion.copyFrom(walk.place);
+            _motion.decrementBy(walk.substepStart);
+            walk.pushed = _motion.length;
             walk.substepStart.copyFrom(walk.place);
             return _floorFinder.tryStandAtEnd(walk, down);
         }
@@ -165,14 +163,14 @@ package starlogo.queries.motion
         // together are as long as the depths of all overlaps at the beginning. Platforms have lifted the agent before.
         private function pushOutOfDeep(walk:WalkState, lift:Number):void
         {
-            var overlaps:Depenetration = _slider.sweep.depenetration;
-            var left:Number = overlaps.measureOverlaps(walk.body, walk.place, _deepest);
+            var depenetration:Depenetration = _slider.sweep.depenetration;
+            var left:Number = depenetration.measureOverlaps(walk.body, walk.place, _deepest);
             if (left > 0)
             {
                 // the filter's accepts may walk another agent, so the overlaps are measured again
                 collectRows(walk, lift + left);
             }
-            for (var i:int = 0; i < MAX_PUSHES && left > 0 && overlaps.measureOverlaps(walk.body, walk.place, _deepest) > 0; i++)
+            for (var i:int = 0; i < MAX_PUSHES && left > 0 && depenetration.measureOverlaps(walk.body, walk.place, _deepest) > 0; i++)
             {
                 var length:Number = Math.min(left, _deepest.depth);
                 left -= length;
@@ -349,7 +347,7 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            var depth:Number = depthAfterFall(walk);
+            var depth:Number = maxSlideDepth(walk);
             var end:Vector3D = _slider.slideDown(walk.body, stop.place, Math.min(fallLeft, depth), walk.minFloorNormalZ, depth / 2).place;
             if (!(walk.place.z - end.z < MIN_FALL * walk.body.extent))
             {
@@ -359,7 +357,7 @@ package starlogo.queries.motion
         }
 
         // How far down the slide after a fall may lead. Sideways it may lead half as far.
-        private static function depthAfterFall(walk:WalkState):Number
+        private static function maxSlideDepth(walk:WalkState):Number
         {
             return Math.min(walk.options.fall, walk.body.fullBody.placement.size);
         }

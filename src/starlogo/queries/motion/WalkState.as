@@ -31,8 +31,10 @@ package starlogo.queries.motion
         /** The agent stands on what is at most this far below it. */
         public var maxFloorDistance:Number = 0;
 
-        /** The row of the platform that carries the agent; -1 if none does. How it does: the motion, and the turn in degrees. Both are 0 then. */
+        /** The row of the platform that carries the agent; -1 if none does. */
         public var platformRow:int = -1;
+
+        /** The motion with which the platform carries the agent, and the turn in degrees. Both are 0 without a platform. */
         public var carry:Vector3D = new Vector3D();
         public var carryTurn:Number = 0;
 

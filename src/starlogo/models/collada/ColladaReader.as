@@ -6,7 +6,6 @@ package starlogo.models.collada
     import starlogo.models.Model;
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
-    import starlogo.models.animation.Pose;
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
@@ -209,16 +208,22 @@ package starlogo.models.collada
             }
         }
 
-        // The transform from a node to the scene, by the transforms in its element. The pose's targets are the elements' indices.
-        private function transformOf(node:int, around:AffineTransform, pose:Pose):AffineTransform
+        // The transform from a node to the scene, by the transforms in its element. @param around that of the node around it
+        private function transformOf(node:int, around:AffineTransform):AffineTransform
         {
             for each (var child:ColladaElement in _elements[node].children)
             {
-                var numbers:Vector.<Number> = pose == null ? null : pose.numbersOf(String(child.index));
+                var numbers:Vector.<Number> = posed(child);
                 var local:AffineTransform = numbers == null ? child.toTransform() : ColladaTransform.of(child, numbers);
                 around = local == null ? around : around.after(local);
             }
             return around;
+        }
+
+        // The numbers of an element in the present pose, whose targets are the elements' indices; null if they are its own.
+        private function posed(element:ColladaElement):Vector.<Number>
+        {
+            return scene.pose == null ? null : scene.pose.numbersOf(String(element.index));
         }
 
         // Visits a child of the present node's element.
@@ -333,8 +338,8 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var posed:Vector.<Number> = scene.pose.numbersOf(String(list.array.index));
-            var weights:Vector.<Number> = posed == null ? list.toNumbers() : list.partOf(posed);
+            var numbers:Vector.<Number> = posed(list.array);
+            var weights:Vector.<Number> = numbers == null ? list.toNumbers() : list.partOf(numbers);
             morph.refuseIf(targets.words.length > list.count, "it has " + targets.words.length + " targets, but " + list.count + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? null : points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps

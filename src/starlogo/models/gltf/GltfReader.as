@@ -2,7 +2,6 @@ package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
-    import starlogo.models.animation.Pose;
     import starlogo.models.animation.normaliseQuaternion;
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
@@ -90,7 +89,7 @@ package starlogo.models.gltf
         }
 
         // The transform from a node to the scene. @param around that of the node around it
-        private function transformOf(index:int, around:AffineTransform, pose:Pose):AffineTransform
+        private function transformOf(index:int, around:AffineTransform):AffineTransform
         {
             var node:GltfJson = _file.json.rootEntry("nodes", index);
             var m:Vector.<Number> = node.numbers("matrix", 16);
@@ -99,19 +98,19 @@ package starlogo.models.gltf
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
                 return around.after(ofColumns(m, 0));
             }
-            var t:Vector.<Number> = posed(pose, index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = posed(pose, index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = posed(pose, index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = posed(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = posed(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = posed(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             normaliseQuaternion(r);
             var rotation:Placement = new Placement();
             rotation.setQuaternion(r[0], r[1], r[2], r[3]);
             return around.after(AffineTransform.of(rotation, s[0], s[1], s[2], t[0], t[1], t[2]));
         }
 
-        // The numbers of a node's property in a pose; null if they are those in the file.
-        private static function posed(pose:Pose, node:int, path:String):Vector.<Number>
+        // The numbers of a node's property in the present pose; null if they are those in the file.
+        private function posed(node:int, path:String):Vector.<Number>
         {
-            return pose == null ? null : pose.numbersOf(targetOf(node, path));
+            return scene.pose == null ? null : scene.pose.numbersOf(targetOf(node, path));
         }
 
         // The transform with 16 numbers, column by column. @param at the index of the first one
@@ -209,7 +208,7 @@ package starlogo.models.gltf
         // The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh.
         private function weightsOf(index:int, node:GltfJson, mesh:GltfJson):Vector.<Number>
         {
-            return posed(scene.pose, index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
+            return posed(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
 
         // The steps that move points by a skin. After its joints there is the node itself, which vertices without joints follow.

@@ -40,8 +40,8 @@ package starlogo.models.scene
         /**
          * @param data the model at rest
          * @param budget what the file may have and cost
-         * @param placing <code>function(node:int, around:AffineTransform, pose:Pose):AffineTransform</code>; returns the transform from a node to the scene.
-         * Takes that of the node around it, and the pose, or null at rest
+         * @param placing <code>function(node:int, around:AffineTransform):AffineTransform</code>; returns the transform from a node to the scene, in the
+         * present pose. Takes that of the node around it
          */
         public function Scene(data:ModelData, budget:FileBudget, placing:Function)
         {
@@ -74,7 +74,7 @@ package starlogo.models.scene
             while (chain.length > 0)
             {
                 i = chain.pop();
-                transform = _placing(i, transform, pose);
+                transform = _placing(i, transform);
                 _transforms[i] = transform;
             }
             return transform;

@@ -1,5 +1,6 @@
 // This room has what was computed for each model. A ModelTable has a ModelEntry for each name, and the two libraries show clients a part of it.
-// CollisionDataBuilder takes the data from a cooked file or a FitStore (CookedStructures, CookedTree), or has the libraries compute it. Read this file first, then BoundingStructuresLibrary and CollisionDataBuilder.
+// CollisionDataBuilder takes the data from a cooked file or a FitStore (CookedStructures, CookedTree), or has the libraries compute it. Read this file
+// first, then BoundingStructuresLibrary and CollisionDataBuilder.
 package starlogo.libraries
 {
     import starlogo.engine;

@@ -113,6 +113,43 @@ package starlogo.models
             assertThrows(ModelError, /samplers\[0\]: it has more than \d+ numbers, each counted as often as it is used/, read, file);
         }
 
+        /** Targets that move nothing are looked at in each pose, which costs more than the file if many nodes share them. */
+        [Test]
+        public function targetsCountForEachWeight():void
+        {
+            var weights:Array = [];
+            var targets:Array = [];
+            for (var i:int = 0; i < 300; i++)
+            {
+                weights.push(0);
+                targets.push({});
+            }
+            var file:Gltf = animated("weights", weights, "SCALAR", "STEP", [0]);
+            var primitive:Object = file.json.meshes[0].primitives[0];
+            primitive.targets = targets;
+            for (i = 1; i < 100; i++)
+            {
+                file.json.nodes.push({mesh: 0});
+                file.json.animations[0].channels.push({sampler: 0, target: {node: i, path: "weights"}});
+            }
+            assertEquals(100 * 12, new GltfAnimations("a", file.toBinary()).verticesAt(0, 0).length);
+            for (i = 1; i < 20; i++)
+            {
+                file.json.meshes[0].primitives.push(primitive);
+            }
+            assertThrows(ModelError, /primitives\[\d+\]: it has more than \d+ elements/, read, file);
+        }
+
+        /** Only poses are placed. So what is wrong at rest alone is no error. */
+        [Test]
+        public function theRestIsNotPlaced():void
+        {
+            var file:Gltf = animated("scale", [1, 1, 1], "VEC3", "STEP", [0]);
+            file.json.nodes[0].scale = [1e308, 1e308, 1e308];
+            assertThrows(ModelError, /nodes\[0\]: its vertices are not finite/, GltfModel.fromBytes, "a", file.toBinary());
+            assertCorner(file, 0, 0, 0, 0);
+        }
+
         /** Of as many poses as a game has: none of them takes from what reading the file may cost. */
         [Test]
         public function posesAreManyAndFitTheModel():void

@@ -50,7 +50,7 @@ package starlogo.models.collada
             if (animations.length > 0)
             {
                 scene.budget.reset();
-                finish(reader);
+                finish(scene);
             }
             return animations;
         }

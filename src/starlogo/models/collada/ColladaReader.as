@@ -6,7 +6,6 @@ package starlogo.models.collada
     import starlogo.models.Model;
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
-    import starlogo.models.animation.Pose;
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
@@ -42,14 +41,15 @@ package starlogo.models.collada
         /** The steps that read the document's elements. Read only. */
         internal var xml:XmlReader;
 
-        /** The scene, when no step is left. Read only. */
+        /** The scene. Its steps read the document. Read only. */
         internal var scene:Scene;
 
         private var _data:ModelData;
         private var _meshes:Object = {}; // by the index of the geometry's element
         private var _skins:Object = {}; // by the index of the skin's element
 
-        // lists of an element's nodes, by the element's index
+        // the element of each node, and lists of an element's nodes, by the element's index
+        private var _elements:Vector.<ColladaElement> = new Vector.<ColladaElement>();
         private var _nodes:Object = {};
 
         // The elements that are visited next, the last one first. The elements of the nodes around the present element, the outermost one first, and the
@@ -69,12 +69,13 @@ package starlogo.models.collada
             var budget:FileBudget = new FileBudget(file.name, text.length);
             xml = new XmlReader(text, budget);
             _data = ModelData.forFile(file.name, upAxis, scaling, "y");
-            scene = new Scene(_data, budget);
-            add(xml).call(function():void
+            scene = new Scene(_data, budget, transformOf);
+            scene.add(xml).call(function():void
                 {
                     readAsset(upAxis == null, scaling);
                     enterScene();
-                }).repeat(visitSome).begin(readingMeshes).begin(function():Steps
+                }).repeat(visitSome).begin(readingMeshes);
+            add(scene).begin(function():Steps
                 {
                     return scene.adding(_data);
                 });
@@ -114,6 +115,10 @@ package starlogo.models.collada
         {
             var nodes:Vector.<Number> = _nodes[joint.index];
             skin.refuseIf(nodes == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
+            if (nodes.length == 1)
+            {
+                return scene.transformOf(nodes[0]); // looks for no ancestors, which may be many
+            }
             // nodes have the order of the visit, so the lowest ancestor is that of the joint's last node before the skin's, or of the next one
             var before:int = lastAtMost(nodes, skinNode);
             var next:int = Math.min(before + 1, nodes.length - 1);
@@ -191,7 +196,8 @@ package starlogo.models.collada
         // The children of an element are visited next.
         private function enter(element:ColladaElement):void
         {
-            scene.addNode(_node, placementOf(element));
+            scene.addNode(_node);
+            _elements.push(element);
             _node = scene.parents.length - 1;
             (_nodes[element.index] ||= new Vector.<Number>()).push(_node);
             element.refuseIf(_around.push(element) > MAX_DEPTH + 1, "its nodes are nested more than " + MAX_DEPTH + " deep");
@@ -202,19 +208,22 @@ package starlogo.models.collada
             }
         }
 
-        // The function that places a node, by the transforms in its element. The pose's targets are the elements' indices.
-        private static function placementOf(element:ColladaElement):Function
+        // The transform from a node to the scene, by the transforms in its element. @param around that of the node around it
+        private function transformOf(node:int, around:AffineTransform):AffineTransform
         {
-            return function(around:AffineTransform, pose:Pose):AffineTransform
+            for each (var child:ColladaElement in _elements[node].children)
             {
-                for each (var child:ColladaElement in element.children)
-                {
-                    var numbers:Vector.<Number> = pose == null ? null : pose.numbersOf(String(child.index));
-                    var local:AffineTransform = numbers == null ? child.toTransform() : ColladaTransform.of(child, numbers);
-                    around = local == null ? around : around.after(local);
-                }
-                return around;
-            };
+                var numbers:Vector.<Number> = posed(child);
+                var local:AffineTransform = numbers == null ? child.toTransform() : ColladaTransform.of(child, numbers);
+                around = local == null ? around : around.after(local);
+            }
+            return around;
+        }
+
+        // The numbers of an element in the present pose, whose targets are the elements' indices; null if they are its own.
+        private function posed(element:ColladaElement):Vector.<Number>
+        {
+            return scene.pose == null ? null : scene.pose.numbersOf(String(element.index));
         }
 
         // Visits a child of the present node's element.
@@ -329,8 +338,8 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var posed:Vector.<Number> = scene.pose.numbersOf(String(list.array.index));
-            var weights:Vector.<Number> = posed == null ? list.toNumbers() : list.partOf(posed);
+            var numbers:Vector.<Number> = posed(list.array);
+            var weights:Vector.<Number> = numbers == null ? list.toNumbers() : list.partOf(numbers);
             morph.refuseIf(targets.words.length > list.count, "it has " + targets.words.length + " targets, but " + list.count + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? null : points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps

@@ -34,7 +34,7 @@ package starlogo.models.gltf
             if (animations.length > 0)
             {
                 file.budget.reset();
-                finish(reader);
+                finish(reader.scene);
             }
             return animations;
         }

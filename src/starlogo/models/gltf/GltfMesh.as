@@ -7,10 +7,10 @@ package starlogo.models.gltf
     import starlogo.steps.Steps;
 
     /**
-     * Reads a mesh of a glTF file, and what its vertices follow: the joints of a skin, and morph targets. All nodes that have both the mesh and the skin
+     * A mesh of a glTF file, and what its vertices follow: the joints of a skin, and morph targets. All nodes that have both the mesh and the skin
      * share it.
      */
-    internal final class GltfMesh
+    internal final class GltfMesh extends SceneMesh
     {
         private static const VERTICES_PER_STEP:int = 2000;
         private static const TRIANGLES_PER_STEP:int = 5000;
@@ -19,9 +19,6 @@ package starlogo.models.gltf
         private static const TRIANGLES:int = 4;
         private static const STRIP:int = 5;
         private static const FAN:int = 6;
-
-        /** The mesh. Its steps read it, and the influences of its joints. */
-        public var mesh:SceneMesh = new SceneMesh();
 
         /** What each vertex follows: joints of the skin, or the node itself, which has the index after the last joint. Null without a skin. */
         public var influences:JointInfluences;
@@ -53,7 +50,7 @@ package starlogo.models.gltf
             {
                 isDeformed = json.element("primitives", i).has("targets");
             }
-            mesh.beginEach(json.count("primitives"), function(index:int):Steps
+            beginEach(json.count("primitives"), function(index:int):Steps
                 {
                     return readingPrimitive(json.element("primitives", index));
                 });
@@ -63,15 +60,17 @@ package starlogo.models.gltf
          * The steps that move points by the morph targets.
          *
          * @param instance has the mesh
-         * @param points all points of the instance
+         * @param moved all points of the instance
          * @param weights of the targets
          */
-        public function morphing(instance:MeshInstance, points:Vector.<Number>, weights:Vector.<Number>):Steps
+        public function morphing(instance:MeshInstance, moved:Vector.<Number>, weights:Vector.<Number>):Steps
         {
             return new StepSequence().beginEach(_morphed.length, function(index:int):Steps
                 {
                     var primitive:GltfJson = _morphed[index];
                     var rest:int = primitive.object("attributes").indexOrNone("POSITION", "accessors");
+                    // the primitive may have a target for each weight
+                    _file.budget.spendElements(weights.length, primitive.place);
                     return new StepSequence().beginEach(Math.min(primitive.count("targets"), weights.length), function(target:int):Steps
                         {
                             var position:int = primitive.element("targets", target).indexOrNone("POSITION", "accessors");
@@ -83,7 +82,7 @@ package starlogo.models.gltf
                             ways.requireCount(_file.accessor(rest, "VEC3").count);
                             return new StepSequence().add(ways).begin(function():Steps
                                 {
-                                    return instance.morphing(points, _firsts[rest + primitive.place], weights[target], ways.numbers, null);
+                                    return instance.morphing(moved, _firsts[rest + primitive.place], weights[target], ways.numbers, null);
                                 });
                         });
                 });
@@ -106,13 +105,13 @@ package starlogo.models.gltf
             var key:String = position + (isPlain ? "" : primitive.place);
             if (!(key in _firsts))
             {
-                _firsts[key] = mesh.points.length / 3;
+                _firsts[key] = points.length / 3;
                 addVertices(work, primitive, attributes, positions);
             }
             var mode:int = primitive.integer("mode", FAN, TRIANGLES);
             if (mode >= TRIANGLES)
             {
-                mesh.beginPrimitive(String(primitive.indexOrNone("material", "materials")));
+                beginPrimitive(String(primitive.indexOrNone("material", "materials")));
                 addTriangles(work, mode, primitive, _firsts[key], positions.count);
             }
             return work;
@@ -120,10 +119,10 @@ package starlogo.models.gltf
 
         private function addVertices(work:StepSequence, primitive:GltfJson, attributes:GltfJson, positions:GltfAccessor):void
         {
-            _file.budget.checkMeshSize(mesh.points.length / 3 + positions.count, 0, primitive.place);
+            _file.budget.checkMeshSize(points.length / 3 + positions.count, 0, primitive.place);
             work.add(positions).call(function():void
                 {
-                    mesh.addPoints(positions.numbers);
+                    addPoints(positions.numbers);
                 });
             if (primitive.count("targets") > 0)
             {
@@ -207,7 +206,7 @@ package starlogo.models.gltf
             }
             var cornerCount:int = indices == null ? vertexCount : indices.count;
             var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            _file.budget.checkMeshSize(0, mesh.triangles.length / 3 + triangleCount, primitive.place);
+            _file.budget.checkMeshSize(0, triangles.length / 3 + triangleCount, primitive.place);
             work.slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = 3 * first; i < 3 * end; i++)
@@ -218,7 +217,7 @@ package starlogo.models.gltf
                         {
                             throw indices.json.error("element " + corner + " names vertex " + vertex + ": " + primitive.place + " has " + vertexCount);
                         }
-                        mesh.triangles.push(firstVertex + int(vertex));
+                        triangles.push(firstVertex + int(vertex));
                     }
                 });
         }

@@ -2,7 +2,6 @@ package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
-    import starlogo.models.animation.Pose;
     import starlogo.models.animation.normaliseQuaternion;
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
@@ -24,7 +23,7 @@ package starlogo.models.gltf
     {
         private static const NODES_PER_STEP:int = 200;
 
-        /** The scene, when no step is left. Read only. */
+        /** The scene. Its steps read the file. Read only. */
         internal var scene:Scene;
 
         private var _data:ModelData;
@@ -40,8 +39,9 @@ package starlogo.models.gltf
         {
             _data = ModelData.forFile(file.budget.modelName, upAxis, scaling, "y");
             _file = file;
-            scene = new Scene(_data, file.budget);
-            add(file).begin(readingNodes).begin(visitingNodes).begin(function():Steps
+            scene = new Scene(_data, file.budget, transformOf);
+            scene.add(file).begin(readingNodes).begin(visitingNodes);
+            add(scene).begin(function():Steps
                 {
                     return scene.adding(_data);
                 });
@@ -66,13 +66,11 @@ package starlogo.models.gltf
             {
                 _data.materials.addLabel(_file.json.rootEntry("materials", i).textOrNull("name"));
             }
-            return new StepSequence().slices(count, NODES_PER_STEP, function(first:int, end:int):void
-                {
-                    for (var node:int = first; node < end; node++)
-                    {
-                        scene.addNode(-1, placementOf(node));
-                    }
-                }).slices(count, NODES_PER_STEP, findParents);
+            for (i = 0; i < count; i++)
+            {
+                scene.addNode(-1);
+            }
+            return new StepSequence().slices(count, NODES_PER_STEP, findParents);
         }
 
         private function findParents(first:int, end:int):void
@@ -90,37 +88,29 @@ package starlogo.models.gltf
             }
         }
 
-        // The function that places a node.
-        private function placementOf(node:int):Function
-        {
-            return function(around:AffineTransform, pose:Pose):AffineTransform
-            {
-                return around.after(localTransformOf(node, pose));
-            };
-        }
-
-        private function localTransformOf(index:int, pose:Pose):AffineTransform
+        // The transform from a node to the scene. @param around that of the node around it
+        private function transformOf(index:int, around:AffineTransform):AffineTransform
         {
             var node:GltfJson = _file.json.rootEntry("nodes", index);
             var m:Vector.<Number> = node.numbers("matrix", 16);
             if (m != null)
             {
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
-                return ofColumns(m, 0);
+                return around.after(ofColumns(m, 0));
             }
-            var t:Vector.<Number> = posed(pose, index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = posed(pose, index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = posed(pose, index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = posed(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = posed(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = posed(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             normaliseQuaternion(r);
             var rotation:Placement = new Placement();
             rotation.setQuaternion(r[0], r[1], r[2], r[3]);
-            return AffineTransform.of(rotation, s[0], s[1], s[2], t[0], t[1], t[2]);
+            return around.after(AffineTransform.of(rotation, s[0], s[1], s[2], t[0], t[1], t[2]));
         }
 
-        // The numbers of a node's property in a pose; null if they are those in the file.
-        private static function posed(pose:Pose, node:int, path:String):Vector.<Number>
+        // The numbers of a node's property in the present pose; null if they are those in the file.
+        private function posed(node:int, path:String):Vector.<Number>
         {
-            return pose == null ? null : pose.numbersOf(targetOf(node, path));
+            return scene.pose == null ? null : scene.pose.numbersOf(targetOf(node, path));
         }
 
         // The transform with 16 numbers, column by column. @param at the index of the first one
@@ -196,10 +186,9 @@ package starlogo.models.gltf
             var json:GltfJson = node.rootEntry("meshes", meshIndex);
             var skinIndex:int = node.indexOrNone("skin", "skins");
             var skin:GltfJson = skinIndex < 0 ? null : node.rootEntry("skins", skinIndex);
-            // each primitive may have a target for each weight
-            _file.budget.spendElements((1 + weightsOf(index, node, json).length) * (1 + json.count("primitives")), json.place);
+            _file.budget.spendElements(1 + json.count("primitives"), json.place);
             var mesh:GltfMesh = _meshes[meshIndex + " " + skinIndex] ||= new GltfMesh(_file, json, skin);
-            var instance:MeshInstance = new MeshInstance(scene, index, mesh.mesh, node.place, node.textOrNull("name") || json.textOrNull("name"), labelOf);
+            var instance:MeshInstance = new MeshInstance(scene, index, mesh, node.place, node.textOrNull("name") || json.textOrNull("name"), labelOf);
             instance.deforming = !mesh.isDeformed ? null : function(points:Vector.<Number>):Steps
             {
                 return new StepSequence().add(mesh.morphing(instance, points, weightsOf(index, node, json))).begin(function():Steps
@@ -219,7 +208,7 @@ package starlogo.models.gltf
         // The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh.
         private function weightsOf(index:int, node:GltfJson, mesh:GltfJson):Vector.<Number>
         {
-            return posed(scene.pose, index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
+            return posed(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
 
         // The steps that move points by a skin. After its joints there is the node itself, which vertices without joints follow.

@@ -59,9 +59,9 @@ package starlogo.models.scene
         public function adding(data:ModelData):Steps
         {
             var points:Vector.<Number>;
+            _transform = null;
             return new StepSequence().add(mesh).begin(function():Steps
                 {
-                    _transform = null;
                     points = deforming == null ? mesh.points : mesh.points.slice();
                     return deforming == null ? null : deforming(points);
                 }).begin(function():Steps

@@ -10,12 +10,12 @@ package starlogo.models.scene
     import starlogo.steps.Steps;
 
     /**
-     * The scene of a COLLADA document or a glTF file: nodes, and instances of meshes at nodes. The reader of the format fills it once. Then its
-     * meshes are added to a model, at rest, or again and again in the poses of an animation.
+     * The scene of a COLLADA document or a glTF file: nodes, and instances of meshes at nodes. The reader of the format adds the steps that fill it.
+     * Then its meshes are added to a model, at rest, or again and again in the poses of an animation.
      *
      * @private
      */
-    public final class Scene
+    public final class Scene extends StepSequence
     {
         /** The model at rest. It has the name, and the up axis when the scene is read. Read only. */
         public var data:ModelData;
@@ -32,31 +32,28 @@ package starlogo.models.scene
         /** The node around each node; -1 for none. The reader sets it. */
         public var parents:Vector.<int> = new Vector.<int>();
 
-        // by node: the function that places it, and its transform in the present pose, null before it is first needed
-        private var _placements:Vector.<Function> = new Vector.<Function>();
+        private var _placing:Function;
+
+        // the transform of each node in the present pose; null before it is first needed
         private var _transforms:Vector.<AffineTransform> = new Vector.<AffineTransform>();
 
         /**
          * @param data the model at rest
          * @param budget what the file may have and cost
+         * @param placing <code>function(node:int, around:AffineTransform):AffineTransform</code>; returns the transform from a node to the scene, in the
+         * present pose. Takes that of the node around it
          */
-        public function Scene(data:ModelData, budget:FileBudget)
+        public function Scene(data:ModelData, budget:FileBudget, placing:Function)
         {
             this.data = data;
             this.budget = budget;
+            _placing = placing;
         }
 
-        /**
-         * Adds a node. Nodes have indices in this order.
-         *
-         * @param parent the node around it; -1 for none, or if that is set later
-         * @param placement <code>function(around:AffineTransform, pose:Pose):AffineTransform</code>; returns the transform from the node to the scene.
-         * Takes that of the node around it, and the pose, or null at rest
-         */
-        public function addNode(parent:int, placement:Function):void
+        /** Adds a node. Nodes have indices in this order. @param parent the node around it; -1 for none, or if that is set later */
+        public function addNode(parent:int):void
         {
             parents.push(parent);
-            _placements.push(placement);
             _transforms.push(null);
         }
 
@@ -77,7 +74,7 @@ package starlogo.models.scene
             while (chain.length > 0)
             {
                 i = chain.pop();
-                transform = _placements[i](transform, pose);
+                transform = _placing(i, transform);
                 _transforms[i] = transform;
             }
             return transform;

@@ -8,7 +8,7 @@ package starlogo.models.scene
      *
      * @private
      */
-    public final class SceneMesh extends StepSequence
+    public class SceneMesh extends StepSequence
     {
         /** x, y, z of each point. */
         public var points:Vector.<Number> = new Vector.<Number>();

@@ -58,6 +58,8 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 		assert.equal(runAnt([long, '', ...ofExec], 1).stdout, `${cut}\nTotal time: 8 seconds\n\n${cut}`);
 		assert.equal(readFileSync(path.join(home, 'bin/test-reports/failures.txt'), 'utf8'), `${long}\n`);
 	}
+	const whole = `FAILED test/structure: every fitter: 6 files lack OwnFitter: ${'docs/a.md, '.repeat(100)}`;
+	assert.equal(runAnt([whole, '', ...ofExec], 1).stdout, `${whole}\n\nTotal time: 8 seconds\n\n${whole}\n`);
 	const hashes = OF_HASHES.map((name) => `FAILED ${name}: another hash`);
 	const sure = 'FAILED BTest.is: 1, not 2';
 	assert.equal(runAnt([...hashes, sure, '', ...ofExec], 1).stdout.split('seconds\n')[1], `\n${[sure, ...hashes].join('\n')}\n`);

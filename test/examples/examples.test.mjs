@@ -6,6 +6,7 @@ import { after, before, test } from 'node:test';
 import { folder, groups, isSwf } from '../../build/examples/list.mjs';
 import { open, serveExamples } from '../../build/examples/site.mjs';
 import { isChromium, launchOwn } from '../../build/headless/browsers.mjs';
+import { assertNone, differences } from '../structure/sources.mjs';
 
 const examples = groups().flatMap((group) => group.examples);
 
@@ -77,7 +78,7 @@ const colours = () => page.evaluate(() => new Promise((resolve) => {
 }));
 
 test('SHOWN has each example', () => {
-	assert.deepEqual(Object.keys(SHOWN).sort(), examples.map(({ name }) => name).sort());
+	assertNone(differences('SHOWN', Object.keys(SHOWN), examples.map(({ name }) => name)));
 });
 
 for (const { name, title, file } of examples) {

@@ -253,5 +253,9 @@ test('all of a choice can be left to Node: classes and tests by their names, a p
 	assert.equal(list('terms.md'), null);
 	assert.notEqual(list('@changed'), null);
 	assert.equal(list('noSuchTest'), null);
+	const refused = (pattern) => spawnSync(process.execPath, ['test/runner/list-tests.mjs', out, 'node', `--test=${pattern}`], { cwd: root, encoding: 'utf8' }).stdout;
+	for (const file of ['js/playground/inspect/fits.js', './js/module/assemble.mjs']) assert.equal(refused(file), `FAILED -Dtest: ./antw test alone has their tests: ${file}\n`);
+	assert.match(refused('js/module/assemble.mjs, noSuchTest'), /^FAILED -Dtest: .*: js\/module\/assemble\.mjs\nFAILED -Dtest=noSuchTest names nothing: /);
+	assert.match(refused('js/module'), /^FAILED -Dtest=js\/module names nothing: /);
 	rmSync(out, { recursive: true });
 });

@@ -24,7 +24,7 @@
  * all, and Node goes on with none farther off. Files that would be the same keep their times.
  */
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { root } from '../structure/sources.mjs';
@@ -78,12 +78,22 @@ function changedFiles() {
 	}
 	const git = (...words) => execFileSync('git', words, { cwd: root, encoding: 'utf8' }).split('\n').filter((file) => file !== '');
 	const changed = [...git('diff', '--name-only', 'HEAD'), ...git('ls-files', '--others', '--exclude-standard')];
-	const hasTests = (file) => /^(src|test|js\/standins\/common)\/.*\.as$|\.md$/.test(file) && existsSync(path.join(root, file));
-	const files = changed.filter(hasTests);
-	const others = changed.filter((file) => !hasTests(file)).map((file) => (existsSync(path.join(root, file)) ? file : `${file} (deleted)`));
+	const isThere = (file) => hasTests(file) && existsSync(path.join(root, file));
+	const files = changed.filter(isThere);
+	const others = changed.filter((file) => !isThere(file)).map((file) => (existsSync(path.join(root, file)) ? file : `${file} (deleted)`));
 	console.log(`changed since the last commit: ${files.join(', ') || 'no source and no page'}`);
-	if (others.length > 0) console.log(`changed, but ./antw test alone has their tests: ${others.join(', ')}`);
+	if (others.length > 0) console.log(`changed, but ${testsOfOthers(others)}`);
 	return files.join(',');
+}
+
+/** Whether a file can have tests of its own: a source, a test class or a page, by its path in the project. */
+function hasTests(file) {
+	return /^(src|test|js\/standins\/common)\/.*\.as$|\.md$/.test(file);
+}
+
+/** What is said of files that have no tests of their own. */
+function testsOfOthers(files) {
+	return `./antw test alone has their tests: ${files.join(', ')}`;
 }
 
 /** Adds the samples of the documentation to the test classes. */
@@ -109,12 +119,23 @@ function refuse() {
 		console.log(`FAILED -Dtest=${pattern} names an example, and these have no tests here. Its own test: ${runs}`);
 		process.exit(1);
 	}
-	const ofClass = testsBefore(pattern, classes).slice(0, 100);
-	const near = ofClass.length > 0 ? ofClass : pattern.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
+	const parts = pattern.split(',').map((part) => part.trim());
+	const others = parts.filter(isOther);
+	if (others.length > 0) console.log(`FAILED -Dtest: ${testsOfOthers(others)}`);
+	const left = parts.filter((part) => !isOther(part));
+	if (left.length === 0) process.exit(1);
+	const ofClass = testsBefore(left.join(','), classes).slice(0, 100);
+	const near = ofClass.length > 0 ? ofClass : left.flatMap((part) => nearestNames(part, all, sources));
 	// antw says such a line last, and not the status of this program
 	const thereAre = near.length > 0 ? `; there are ${near.join(', ')}` : '';
-	console.log(`FAILED -Dtest=${pattern} names nothing: no class of tests, no test, no source file and no page${thereAre}`);
+	console.log(`FAILED -Dtest=${left.join(',')} names nothing: no class of tests, no test, no source file and no page${thereAre}`);
 	process.exit(1);
+}
+
+/** Whether a name of -Dtest is the path of a file of the project that has no tests of its own. */
+function isOther(name) {
+	const file = path.relative(root, path.resolve(root, name.replaceAll('\\', '/'))).replaceAll(path.sep, '/');
+	return !/^$|^\.\./.test(file) && !hasTests(file) && Boolean(statSync(path.join(root, file), { throwIfNoEntry: false })?.isFile());
 }
 
 /** Says why tests were chosen, and which of them the SWF does not run. */

@@ -70,8 +70,8 @@ const passed = count(run.stdout, 'pass');
 const failed = Math.max(count(run.stdout, 'fail'), run.status === 0 && passed > 0 ? 0 : 1);
 if (failed > 0) {
 	console.log(saidOf(run.stdout) + run.stderr);
-	// as of all other tests: antw says them last
-	for (const name of failuresIn(run.stdout)) console.log(`FAILED ${name}`);
+	// as of all other tests: antw says them last, and those of test/structure whole
+	for (const name of failuresIn(run.stdout)) console.log(`FAILED ${which === 'structure' ? 'test/structure: ' : ''}${name}`);
 }
 const counts = `${passed} passed, ${failed} failed, ${count(run.stdout, 'skipped')} skipped`;
 console.log(`tests without a player${{ structure: ' (test/structure)', samples: ' (samples in JavaScript)' }[which] ?? ''}: ${counts}`);

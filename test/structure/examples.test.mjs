@@ -1,6 +1,6 @@
 /** Tests of the examples' files. test/examples runs the examples. */
 import assert from 'node:assert/strict';
-import { readFileSync, readdirSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { folder, groups, pages } from '../../build/examples/list.mjs';
@@ -28,7 +28,9 @@ test('an example is one file of at most 60 lines, with a picture', () => {
 	for (const { name, file } of examples) {
 		const lines = readFileSync(path.join(folder, file), 'utf8').trimEnd().split('\n');
 		assert.ok(lines.length <= LONGEST, `${file} has ${lines.length} lines`);
-		const size = statSync(path.join(folder, `pictures/${name}.webp`)).size;
+		const picture = path.join(folder, `pictures/${name}.webp`);
+		assert.ok(existsSync(picture), `no picture: ./antw examples-index -Dexample=${name}`);
+		const { size } = statSync(picture);
 		assert.ok(size > 1000 && size < 100000, `${name}.webp has ${size} bytes`);
 	}
 });

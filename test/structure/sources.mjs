@@ -11,6 +11,18 @@ export function assertNone(wrong) {
 	assert.ok(wrong.length === 0, wrong.join('; '));
 }
 
+/** What a list of names lacks of those that it should have, and what it has too many or twice, as sentences; none if it has exactly these. */
+export function differences(list, names, expected) {
+	const tooMany = [...names];
+	const lacking = expected.filter((name) => {
+		const at = tooMany.indexOf(name);
+		if (at >= 0) tooMany.splice(at, 1);
+		return at < 0;
+	});
+	const said = [['lacks', lacking], ['has too many:', tooMany]].filter(([, left]) => left.length > 0);
+	return said.map(([how, left]) => `${list} ${how} ${left.join(', ')}`);
+}
+
 /** A file's text, by its path in the project. */
 export function read(file) {
 	return readFileSync(path.join(root, file), 'utf8');

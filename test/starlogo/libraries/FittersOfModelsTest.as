@@ -44,8 +44,8 @@ package starlogo.libraries
                     count++;
                 }
             }
-            assertTrue("fits.json has not as many volumes of each model as there are fitters here. Write what Node says (./antw module-test "
-                    + "-Dtest=FittersOfModelsTest), not the player, to test/fixtures/models/fits.json:\n{\n" + lines.join(",\n") + "\n}", areKnown);
+            assertTrue("Write to test/fixtures/models/fits.json what Node says (./antw module-test -Dtest=FittersOfModelsTest), not the "
+                    + "player, because it has not as many volumes of each model as there are fitters here:\n{\n" + lines.join(",\n") + "\n}", areKnown);
             trace("  " + count + " volumes, the largest difference " + largest);
             assertTrue(count >= 12 * 9);
         }

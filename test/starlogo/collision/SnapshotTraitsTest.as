@@ -111,7 +111,7 @@ package starlogo.collision
             {
                 var random:SeededRandom = new SeededRandom(53);
                 var agents:Vector.<Agent> = new Vector.<Agent>();
-                for (var i:int = 0; i < 60; i++)
+                for (var i:int = 0; i < 120; i++)
                 {
                     var agent:Agent = agentAt(i % 2 == 0 ? "sphere" : "cylinder", 4 * random.next(), 4 * random.next(), 4 * random.next());
                     agent.size = 0.6;

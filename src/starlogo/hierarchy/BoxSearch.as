@@ -6,13 +6,7 @@ package starlogo.hierarchy
     /**
      * Finds the leaves of a tree, visited to a depth (see BoxTree), that an axis-aligned box may meet while it moves (<code>nextMet()</code>), or that are
      * near it (<code>nextNear()</code>). Of two children the nearer one comes first. A ray is a box without extents. A box that stands has a motion of
-     * length 0. The asker sets the box, begins, and takes one leaf after the other. Who begins again forgets the search before:
-     *
-     * <listing version="3.0">
-     * search.setExtents(extents, 0);
-     * search.beginMet(tree, depth, motion);
-     * for (var leaf:int = search.nextMet(); leaf &gt;= 0; leaf = search.nextMet())
-     * </listing>
+     * length 0. The asker sets the box, begins, and takes one leaf after the other until there is none. Who begins again forgets the search before.
      *
      * <p>A time is a multiple of the motion. The box meets a node between two times on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986).</p>

@@ -44,6 +44,16 @@ test('a room of the engine, with its folders, depends only on those above it in 
 	assertNone(wrong);
 });
 
+test('only a class itself writes its static variables: where a module writes those of another, both are loaded wherever one is', () => {
+	const wrong = [];
+	for (const [name, file] of sources) {
+		for (const [write, before, after] of codeOf(read(file)).matchAll(/(?:\+\+|--)([A-Z]\w*)\.\w+|(?<![\w.])([A-Z]\w*)\.\w+ *(?:\+\+|--|[-+*/|&]?=(?!=))/g)) {
+			if (!name.endsWith(`.${before ?? after}`)) wrong.push(`${name} has ${write}`);
+		}
+	}
+	assertNone(wrong);
+});
+
 test('no two packages outside of the engine depend on each other', () => {
 	const arrows = new Map();
 	for (const [name, used] of [...uses].filter(([each]) => !isEngine(each))) {

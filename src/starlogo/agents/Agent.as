@@ -199,7 +199,7 @@ package starlogo.agents
             {
                 breedNumber = other;
                 revision++;
-                Breeds.changes++;
+                Breeds.countChange();
             }
         }
 

@@ -22,8 +22,14 @@ package starlogo.agents
         /** The number of the name that stands for any breed of agents. Lower numbers are of the environment, higher ones of agents. */
         public static const ANY_NUMBER:int = NAMES.knownNumberOf(ANY_BREED);
 
-        /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. */
+        /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. Read only. */
         public static var changes:int = 0;
+
+        /** Counts that an agent has got another breed. */
+        public static function countChange():void
+        {
+            changes++;
+        }
 
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */
         public static function isEnvironment(number:int):Boolean

@@ -73,7 +73,10 @@ package starlogo.collision.snapshots
                 {
                     agent.countBodyChange();
                 }
-                Breeds.changes += int(breed != agent.breedNumber);
+                if (breed != agent.breedNumber)
+                {
+                    Breeds.countChange();
+                }
                 agent.modelNumber = model;
                 agent.breedNumber = breed;
                 agent.isSweeping = isSweeping;

@@ -2,7 +2,7 @@
 import { $updates } from "./frames.mjs";
 import { $MOST_COLLISIONS } from "./handlers.mjs";
 import { $greatLandOf, $typeOf } from "./properties.mjs";
-import { $warn } from "./warn.mjs";
+import { $hasWarned, $warn } from "./warn.mjs";
 
 /** A model that was posed so often is animated. */
 const $MANY_POSES = 30;
@@ -52,11 +52,12 @@ function $lookAtPosers(posers, agent, model) {
 
 /** Warns of an agent that collides as the structure around a pose that its model has no longer. */
 function $lookAtStructure(structures, agent, { name, vertices }) {
-	if (!structures.has(name)) return; // it is loading
+	const key = `structure of ${name}`;
+	if ($hasWarned(key) || !structures.has(name)) return; // without a structure it is loading
 	const structure = structures.tightestFit(name);
 	let outside = 0;
 	for (let i = 0; i < vertices.length; i += 3) if (!structure.contains(new Vector3D(vertices[i], vertices[i + 1], vertices[i + 2]))) outside += 3;
 	if (outside <= $MUCH * vertices.length) return;
 	$warn(`${agent} collides as the structure around the first pose of its model: a pose moves the tree alone. Set hierarchical, in a CombinationCollider, `
-		+ "or fit again: greatLand.boundingStructures.add(model.name, model.vertices)", `structure of ${name}`);
+		+ "or fit again: greatLand.boundingStructures.add(model.name, model.vertices)", key);
 }

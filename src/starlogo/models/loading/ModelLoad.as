@@ -23,7 +23,7 @@ package starlogo.models.loading
      *
      * <p>Each method adds the steps that come after it. <code>fetch</code> fetches the list of cooked files, if there is one. Then
      * <code>fetchCooked</code> and <code>readCooked</code> try the cooked file. If that gives no model, <code>fetchFile</code> fetches the model's own
-     * file and its transform file. <code>addReadSteps</code> decodes the file. <code>addMakeSteps</code> has its reader make the model, which may fetch other
+     * file and its transform file. <code>read</code> decodes the file. <code>addMakeSteps</code> has its reader make the model, which may fetch other
      * files (<code>fetchSibling</code>), and <code>keepModel</code> gives it to the receiver.</p>
      *
      * @private
@@ -144,16 +144,23 @@ package starlogo.models.loading
         {
             call(function():void
                 {
-                    addMakeSteps(ModelBuilder.reading(ModelFormat.newReader(file, _upAxis, _scaling, fetchSibling)));
+                    read(file);
                 });
         }
 
         /** Adds the steps of what makes the model: the reader of its file, or the game's own maker. */
         public function addMakeSteps(maker:ModelMaker):void
         {
-            _downloads.length = 0;
             _maker = maker;
-            repeat(stepMaker).call(keepModel);
+            add(maker).call(keepModel);
+        }
+
+        /** @inheritDoc */
+        override public function step():Boolean
+        {
+            // those that this step has waited for
+            _downloads.length = 0;
+            return super.step();
         }
 
         /** Stops fetching. */
@@ -207,7 +214,6 @@ package starlogo.models.loading
 
         private function fetchFile():void
         {
-            _downloads.length = 0;
             var file:FileDownload = startDownload(_url);
             var transformFile:FileDownload = _transformUrl == null ? null : startDownload(_transformUrl);
             call(function():void
@@ -235,7 +241,12 @@ package starlogo.models.loading
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            addReadSteps(new ModelFile(name, file.bytes, null, _url));
+            read(new ModelFile(name, file.bytes, null, _url));
+        }
+
+        private function read(file:ModelFile):void
+        {
+            addMakeSteps(ModelBuilder.reading(ModelFormat.newReader(file, _upAxis, _scaling, fetchSibling)));
         }
 
         // Starts to fetch a file that the model's file names: see GltfFile. The maker's next step is done when it has come.
@@ -245,17 +256,10 @@ package starlogo.models.loading
                 : {bytes: null, problem: "it is in another file, and the address of this file is not known: load() fetches both"};
         }
 
-        private function stepMaker():Boolean
-        {
-            _downloads.length = 0;
-            return _maker.step();
-        }
-
         private function keepModel():void
         {
             model = _maker.model;
             _maker = null;
-            _downloads.length = 0;
             begin(function():Steps
                 {
                     return _receiver.receive(model);

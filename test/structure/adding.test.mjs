@@ -110,7 +110,7 @@ test('every model of a file passes what a ModelBuilder builds to Model', () => {
 });
 
 test('every format stands in the files of docs/adding.md, "A format"', () => {
-	const isReader = /\bclass \w+ [^{]*\bimplements FormatReader\b/;
+	const isReader = /\bclass \w+ [^{]*\bextends FormatReader\b/;
 	const readers = sourcesBelow('src/starlogo/models').filter((file) => isReader.test(codeOf(read(file)))).map(simpleName);
 	for (const known of ['ColladaReader', 'CookedReader', 'GltfReader', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
 	// CookedLoadingTest damages cooked files

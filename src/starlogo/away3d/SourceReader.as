@@ -19,14 +19,12 @@ package starlogo.away3d
      * Reads the source of an Away3dModel, in steps of about a millisecond. Only the vertices that triangles use become points of the model, because
      * others are not drawn. If the whole source has no triangles, all vertices become points.
      */
-    internal final class SourceReader extends StepSequence implements FormatReader
+    internal final class SourceReader extends FormatReader
     {
         // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
 
         private static const INDICES_PER_STEP:int = 900;
-
-        private var _data:ModelData;
 
         // the sub-geometries, and what takes the vertices of each to the engine's space
         private var _parts:Vector.<ISubGeometry> = new Vector.<ISubGeometry>();
@@ -38,18 +36,12 @@ package starlogo.away3d
          */
         public function SourceReader(name:String, object:Object)
         {
-            _data = ModelData.forFile(name, "z", Model.FOOTPRINT);
+            data = ModelData.forFile(name, "z", Model.FOOTPRINT);
             begin(function():Steps
                 {
                     addSource(object);
                     return readingParts();
                 });
-        }
-
-        /** @inheritDoc */
-        public function get data():ModelData
-        {
-            return _data;
         }
 
         private function readingParts():Steps
@@ -62,7 +54,7 @@ package starlogo.away3d
                 hasTriangles ||= part.numTriangles > 0;
             }
             var points:PointTable = new PointTable(vertexCount);
-            _data.vertices = points.coordinates;
+            data.vertices = points.coordinates;
             return new StepSequence().beginEach(_parts.length, function(index:int):Steps
                 {
                     return readingPart(index, points, hasTriangles);
@@ -79,9 +71,9 @@ package starlogo.away3d
             var indices:Vector.<uint> = part.indexData || new Vector.<uint>();
             var vertexCount:int = part.numVertices;
             var count:int = hasTriangles ? 3 * part.numTriangles : vertexCount;
-            refuseModelIf(vertexCount > 0 && part.vertexOffset + (vertexCount - 1) * part.vertexStride + 3 > numbers.length, _data.name,
+            refuseModelIf(vertexCount > 0 && part.vertexOffset + (vertexCount - 1) * part.vertexStride + 3 > numbers.length, data.name,
                     "a sub-geometry has " + vertexCount + " vertices, but only " + numbers.length + " numbers for them");
-            refuseModelIf(hasTriangles && indices.length < count, _data.name,
+            refuseModelIf(hasTriangles && indices.length < count, data.name,
                     "a sub-geometry has " + part.numTriangles + " triangles, but only " + indices.length + " indices");
             // the index of each vertex's point, plus 1; 0 before the vertex is read
             var pointOf:Vector.<int> = new Vector.<int>(vertexCount);
@@ -95,7 +87,7 @@ package starlogo.away3d
                         var vertex:uint = hasTriangles ? indices[corner] : i;
                         if (vertex >= vertexCount)
                         {
-                            throw new ModelError(_data.name, "", "triangle " + int(i / 3) + " of a sub-geometry names vertex " + vertex + ", the last one is " + (vertexCount - 1));
+                            throw new ModelError(data.name, "", "triangle " + int(i / 3) + " of a sub-geometry names vertex " + vertex + ", the last one is " + (vertexCount - 1));
                         }
                         if (pointOf[vertex] == 0)
                         {
@@ -108,10 +100,10 @@ package starlogo.away3d
                         }
                         if (hasTriangles)
                         {
-                            _data.triangles.push(pointOf[vertex] - 1);
+                            data.triangles.push(pointOf[vertex] - 1);
                         }
                     }
-                    _data.readProgress = (index + end / Math.max(1, count)) / _parts.length;
+                    data.readProgress = (index + end / Math.max(1, count)) / _parts.length;
                 });
         }
 
@@ -138,7 +130,7 @@ package starlogo.away3d
             }
             else
             {
-                throw new ModelError(_data.name, "", "expected an ObjectContainer3D, a Geometry, an ISubGeometry or a list of them, not "
+                throw new ModelError(data.name, "", "expected an ObjectContainer3D, a Geometry, an ISubGeometry or a list of them, not "
                         + (source == null ? "null" : getQualifiedClassName(source).replace("::", ".")));
             }
         }

@@ -1,7 +1,8 @@
 package starlogo.models.animation
 {
     /**
-     * A channel of an animation: numbers of the file that move, and the sampler that moves them.
+     * A channel of an animation: numbers of the file that move, and the sampler that moves them. The numbers belong to a target, which is a key for a
+     * thing in the file that an animation may move, as the reader of the format says.
      *
      * @private
      */
@@ -16,7 +17,7 @@ package starlogo.models.animation
 
         /**
          * @param sampler moves the numbers
-         * @param target the thing in the file whose numbers move
+         * @param target has the numbers
          * @param inFile all numbers of the target, as they are in the file; null if all move
          * @param first the index of the first one that moves
          */
@@ -28,10 +29,20 @@ package starlogo.models.animation
             _first = first;
         }
 
-        /** Sets the numbers of a pose to those at a time. @param time seconds */
-        public function applyTo(pose:Pose, time:Number):void
+        /**
+         * Sets the numbers of a pose to those at a time.
+         *
+         * @param pose takes all numbers of the target, by the target
+         * @param time seconds
+         */
+        public function applyTo(pose:Object, time:Number):void
         {
-            pose.setNumbers(_target, _inFile, _first, sampler.numbersAt(time));
+            var values:Vector.<Number> = sampler.numbersAt(time);
+            var numbers:Vector.<Number> = pose[_target] ||= _inFile == null ? values : _inFile.slice();
+            for (var i:int = 0; i < values.length; i++)
+            {
+                numbers[_first + i] = values[i];
+            }
         }
     }
 }

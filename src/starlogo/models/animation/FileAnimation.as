@@ -46,7 +46,7 @@ package starlogo.models.animation
         /** The vertices of the file's model at a time in seconds, as <code>ModelAnimations.verticesAt()</code> gives them. */
         public function verticesAt(time:Number):Vector.<Number>
         {
-            var pose:Pose = new Pose();
+            var pose:Object = {};
             for each (var channel:AnimationChannel in _channels)
             {
                 channel.applyTo(pose, _start + Math.max(0, Math.min(time, duration)));

@@ -18,8 +18,8 @@ package starlogo.models.building
     use namespace engine;
 
     /**
-     * The work that makes a model. If there is a file, the reader of its format fills the data with what the file says. Then these are checked, turned
-     * to z up, and turned, scaled and moved as Model says. A step takes about a millisecond, and throws a ModelError if the file is wrong.
+     * The work that makes a model. The reader of a file's format fills the data with what the file says. Then these are checked, turned to z up,
+     * and turned, scaled and moved as Model says. A step takes about a millisecond, and throws a ModelError if the file is wrong.
      *
      * @private
      */
@@ -30,7 +30,6 @@ package starlogo.models.building
 
         private static const VERTICES_PER_STEP:int = 4000;
         private static const CORNERS_PER_STEP:int = 20000;
-        private static const TRIANGLES_PER_STEP:int = 10000;
 
         private var _data:ModelData;
         private var _model:Model = null;
@@ -45,11 +44,7 @@ package starlogo.models.building
         public function ModelBuilder(data:ModelData, reader:FormatReader = null)
         {
             _data = data;
-            if (reader != null)
-            {
-                add(reader);
-            }
-            call(checkData).call(addParts);
+            add(reader || new StepSequence()).call(checkData).call(addParts);
         }
 
         /** The work that reads and makes a model. @param reader reads the file; none of its steps is done yet */
@@ -126,7 +121,7 @@ package starlogo.models.building
             slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners);
             if (_data.transform != null && _data.transform.isMirror)
             {
-                slices(_data.triangles.length / 3, TRIANGLES_PER_STEP, reverseWinding);
+                add(reversingWinding(_data.triangles, 0));
             }
             call(close);
         }
@@ -240,19 +235,6 @@ package starlogo.models.building
         {
             var problem:String = triangleProblem(_data.triangles, _data.vertices.length / 3, first, end);
             refuseModelIf(problem != null, _data.name, problem);
-        }
-
-        // A mirror image's triangles get the reverse winding, so that they still face outwards.
-        private function reverseWinding(first:int, end:int):void
-        {
-            var triangles:Vector.<uint> = _data.triangles;
-            for (var second:int = 3 * first + 1; second < 3 * end; second += 3)
-            {
-                var third:int = second + 1;
-                var corner:uint = triangles[second];
-                triangles[second] = triangles[third];
-                triangles[third] = corner;
-            }
         }
 
         private function close():void

@@ -14,6 +14,7 @@ package starlogo.models.collada
     internal final class ColladaPrimitive extends StepSequence
     {
         private static const CORNERS_PER_STEP:int = 1500;
+        private static const COPIED_PER_STEP:int = 15000;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
         private var _element:ColladaElement;
@@ -58,7 +59,6 @@ package starlogo.models.collada
         {
             var mesh:SceneMesh = new SceneMesh();
             var element:ColladaElement = geometry.child("mesh") || geometry.child("convex_mesh");
-            var triangulator:Triangulator = new Triangulator(geometry.budget, mesh.points, mesh.triangles);
             var pointsOfSources:Object = {}; // by keyOf() the source's id
             var hasSurface:Boolean = false;
             for each (var child:ColladaElement in element == null ? null : element.children)
@@ -67,7 +67,7 @@ package starlogo.models.collada
                 if (NAMES.indexOf(child.name) >= 0 && child.attribute("count") != "0")
                 {
                     hasSurface = true;
-                    addPrimitive(mesh, child, triangulator, pointsOfSources);
+                    addPrimitive(mesh, child, pointsOfSources);
                 }
             }
             var vertices:ColladaElement = element == null || hasSurface ? null : element.child("vertices");
@@ -78,14 +78,26 @@ package starlogo.models.collada
         }
 
         // Adds the steps that read a primitive, after those that read its points.
-        private static function addPrimitive(mesh:SceneMesh, element:ColladaElement, triangulator:Triangulator, pointsOfSources:Object):void
+        private static function addPrimitive(mesh:SceneMesh, element:ColladaElement, pointsOfSources:Object):void
         {
+            var corners:Vector.<uint> = new Vector.<uint>();
             mesh.begin(function():Steps
                 {
                     var target:ColladaElement = positionInput(element).target("source", ["vertices", "source"], element.parent);
                     var points:ColladaAccessor = pointsOf(target, mesh, pointsOfSources);
-                    mesh.beginPrimitive(element.attribute("material"));
-                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, triangulator));
+                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, new Triangulator(element.budget, mesh.points, corners)));
+                }).call(function():void
+                {
+                    mesh.addPrimitive(element.attribute("material"), corners.length / 3, function(firstVertex:int, triangles:Vector.<uint>):Steps
+                        {
+                            return new StepSequence().slices(corners.length, COPIED_PER_STEP, function(first:int, end:int):void
+                                {
+                                    for (var i:int = first; i < end; i++)
+                                    {
+                                        triangles.push(firstVertex + corners[i]);
+                                    }
+                                });
+                        });
                 });
         }
 

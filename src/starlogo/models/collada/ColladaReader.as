@@ -13,6 +13,7 @@ package starlogo.models.collada
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
+    import starlogo.models.scene.DeformedPoints;
     import starlogo.models.scene.MeshInstance;
     import starlogo.models.scene.Scene;
     import starlogo.models.scene.SceneMesh;
@@ -29,7 +30,7 @@ package starlogo.models.collada
      *
      * @private
      */
-    public final class ColladaReader extends StepSequence implements FormatReader
+    public final class ColladaReader extends FormatReader
     {
         private static const ELEMENTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
@@ -44,7 +45,6 @@ package starlogo.models.collada
         /** The scene. Its steps read the document. Read only. */
         internal var scene:Scene;
 
-        private var _data:ModelData;
         private var _meshes:Object = {}; // by the index of the geometry's element
         private var _skins:Object = {}; // by the index of the skin's element
 
@@ -52,11 +52,9 @@ package starlogo.models.collada
         private var _elements:Vector.<ColladaElement> = new Vector.<ColladaElement>();
         private var _nodes:Object = {};
 
-        // The elements that are visited next, the last one first. The elements of the nodes around the present element, the outermost one first, and the
-        // innermost one's node: -1 without a scene.
+        // the elements that are visited next, the last one first, and the node that each is in
         private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-        private var _around:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-        private var _node:int = -1;
+        private var _pendingNodes:Vector.<int> = new Vector.<int>();
 
         /**
          * @param file the document
@@ -65,32 +63,26 @@ package starlogo.models.collada
          */
         public function ColladaReader(file:ModelFile, upAxis:Object, scaling:String)
         {
+            data = ModelData.forFile(file.name, upAxis, scaling, "y");
             var text:String = file.requireText();
             var budget:FileBudget = new FileBudget(file.name, text.length);
             xml = new XmlReader(text, budget);
-            _data = ModelData.forFile(file.name, upAxis, scaling, "y");
-            scene = new Scene(_data, budget, transformOf);
+            scene = new Scene(data, budget, transformOf);
             scene.add(xml).call(function():void
                 {
                     readAsset(upAxis == null, scaling);
                     enterScene();
-                }).repeat(visitSome).begin(readingMeshes);
+                }).repeat(visitSome);
             add(scene).begin(function():Steps
                 {
-                    return scene.adding(_data);
+                    return scene.adding(data);
                 });
-        }
-
-        /** @inheritDoc */
-        public function get data():ModelData
-        {
-            return _data;
         }
 
         /** The root, when the elements are read. @throws ModelError if it is not COLLADA */
         internal function get root():ColladaElement
         {
-            refuseModelIf(xml.root == null, _data.name, "this is not XML: expected a COLLADA document");
+            refuseModelIf(xml.root == null, data.name, "this is not XML: expected a COLLADA document");
             xml.root.refuseIf(xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + xml.root.name + ">");
             return xml.root;
         }
@@ -154,12 +146,12 @@ package starlogo.models.collada
             {
                 var named:String = TextWords.trimmed(axis.text);
                 axis.refuseIf(!/^[XYZ]_UP$/.test(named), "expected X_UP, Y_UP or Z_UP, but found \"" + shortened(named) + "\"");
-                _data.upAxis = named.charAt(0).toLowerCase();
+                data.upAxis = named.charAt(0).toLowerCase();
             }
             var metres:Number = unit == null ? 1 : TextWords.toNumber(unit.attribute("meter"));
-            if (scaling == Model.AS_GIVEN && _data.transform == null && metres > 0 && metres < Infinity && metres != 1)
+            if (scaling == Model.AS_GIVEN && data.transform == null && metres > 0 && metres < Infinity && metres != 1)
             {
-                _data.transform = new ModelTransform(null, new Vector3D(metres, metres, metres));
+                data.transform = new ModelTransform(null, new Vector3D(metres, metres, metres));
             }
         }
 
@@ -169,12 +161,12 @@ package starlogo.models.collada
             var instance:ColladaElement = shown == null ? null : shown.child("instance_visual_scene");
             if (instance != null)
             {
-                enter(instance.target("url", ["visual_scene"]));
+                enter(instance.target("url", ["visual_scene"]), -1, instance);
                 return;
             }
             for each (var geometry:ColladaElement in entriesOf("library_geometries", "geometry"))
             {
-                addInstance(geometry, geometry);
+                addInstance(geometry, geometry, -1);
             }
         }
 
@@ -182,29 +174,34 @@ package starlogo.models.collada
         {
             for (var i:int = 0; i < ELEMENTS_PER_STEP && _pending.length > 0; i++)
             {
-                var element:ColladaElement = _pending.pop();
-                while (_around[_around.length - 1] != element.parent)
-                {
-                    _around.pop();
-                    _node = scene.parents[_node];
-                }
-                visit(element);
+                visit(_pending.pop(), _pendingNodes.pop());
             }
             return _pending.length > 0;
         }
 
-        // The children of an element are visited next.
-        private function enter(element:ColladaElement):void
+        // Adds a node for an element. The element's children are visited next.
+        // @param around the node around it; -1 for none
+        // @param placer the element that places it there, for errors
+        private function enter(element:ColladaElement, around:int, placer:ColladaElement):void
         {
-            scene.addNode(_node);
-            _elements.push(element);
-            _node = scene.parents.length - 1;
-            (_nodes[element.index] ||= new Vector.<Number>()).push(_node);
-            element.refuseIf(_around.push(element) > MAX_DEPTH + 1, "its nodes are nested more than " + MAX_DEPTH + " deep");
+            var depth:int = 0;
+            for (var outer:int = around; outer >= 0; outer = scene.parents[outer])
+            {
+                depth++;
+                if (_elements[outer] == element || depth > MAX_DEPTH)
+                {
+                    throw placer.error(depth > MAX_DEPTH ? "nodes are nested more than " + MAX_DEPTH + " deep"
+                            : "recursive instance_node: it places the node \"" + shortened(element.id) + "\" within itself");
+                }
+            }
             element.budget.spendElements(ELEMENTS_PER_NODE * (1 + element.children.length), element);
+            var node:int = scene.addNode(around);
+            _elements.push(element);
+            (_nodes[element.index] ||= new Vector.<Number>()).push(node);
             for (var i:int = element.children.length - 1; i >= 0; i--)
             {
                 _pending.push(element.children[i]);
+                _pendingNodes.push(node);
             }
         }
 
@@ -213,37 +210,29 @@ package starlogo.models.collada
         {
             for each (var child:ColladaElement in _elements[node].children)
             {
-                var numbers:Vector.<Number> = posed(child);
+                var numbers:Vector.<Number> = scene.posed(String(child.index));
                 var local:AffineTransform = numbers == null ? child.toTransform() : ColladaTransform.of(child, numbers);
                 around = local == null ? around : around.after(local);
             }
             return around;
         }
 
-        // The numbers of an element in the present pose, whose targets are the elements' indices; null if they are its own.
-        private function posed(element:ColladaElement):Vector.<Number>
-        {
-            return scene.pose == null ? null : scene.pose.numbersOf(String(element.index));
-        }
-
-        // Visits a child of the present node's element.
-        private function visit(element:ColladaElement):void
+        // Visits a child of a node's element.
+        private function visit(element:ColladaElement, node:int):void
         {
             switch (element.name)
             {
                 case "instance_geometry":
-                    addInstance(element, element.target("url", ["geometry"]));
+                    addInstance(element, element.target("url", ["geometry"]), node);
                     break;
                 case "instance_controller":
-                    addController(element);
+                    addController(element, node);
                     break;
                 case "instance_node":
-                    var inner:ColladaElement = element.target("url", ["node"]);
-                    element.refuseIf(_around.indexOf(inner) >= 0, "recursive instance_node: it places the node \"" + shortened(inner.id) + "\" within itself");
-                    enter(inner);
+                    enter(element.target("url", ["node"]), node, element);
                     break;
                 case "node":
-                    enter(element);
+                    enter(element, node, element);
                     break;
                 default:
                     // a transform that is wrong is refused, even if nothing is at its node
@@ -252,7 +241,7 @@ package starlogo.models.collada
         }
 
         // Follows controllers down to the geometry, and finds their skins and morphs.
-        private function addController(element:ColladaElement):void
+        private function addController(element:ColladaElement, node:int):void
         {
             var chain:Vector.<ColladaElement> = new Vector.<ColladaElement>();
             var target:ColladaElement = element.target("url", ["controller"]);
@@ -269,22 +258,20 @@ package starlogo.models.collada
                     _skins[deformer.index] ||= new ColladaSkin(deformer);
                 }
             }
-            var node:int = _node;
-            var instance:MeshInstance = addInstance(element, target);
-            instance.deforming = function(points:Vector.<Number>):Steps
+            addInstance(element, target, node).deforming = function(deformed:DeformedPoints):Steps
             {
-                return deforming(instance, element, chain, node, points);
+                return deforming(deformed, element, chain, node);
             };
         }
 
         // The steps that move the points of an instance by a chain of skins and morphs. The last one moves them first. At rest the points are where they were
         // bound if a skin is wrong, or too much for the limits: what does not move needs no joints.
-        private function deforming(instance:MeshInstance, element:ColladaElement, chain:Vector.<ColladaElement>, node:int, points:Vector.<Number>):Steps
+        private function deforming(deformed:DeformedPoints, element:ColladaElement, chain:Vector.<ColladaElement>, node:int):Steps
         {
             var work:StepSequence = new StepSequence().beginEach(chain.length, function(index:int):Steps
                 {
                     var deformer:ColladaElement = chain[chain.length - 1 - index];
-                    return deformer.name == "skin" ? skinning(instance, element, _skins[deformer.index], node, points) : morphing(instance, deformer, points);
+                    return deformer.name == "skin" ? skinning(deformed, element, _skins[deformer.index], node) : morphing(deformed, deformer);
                 });
             return new StepSequence().repeat(function():Boolean
                 {
@@ -294,54 +281,51 @@ package starlogo.models.collada
                     }
                     catch (error:ModelError)
                     {
-                        if (scene.pose != null)
+                        if (scene.isPosed)
                         {
                             throw error;
                         }
-                        bind(instance, chain, scene.transformOf(node), points);
+                        deformed.reset(boundTransform(chain, scene.transformOf(node)));
                     }
                     return false;
                 });
         }
 
-        // Puts the points of an instance where its skins were bound. @param transform the node's
-        private function bind(instance:MeshInstance, chain:Vector.<ColladaElement>, transform:AffineTransform, points:Vector.<Number>):void
+        // What takes points to where a chain of skins was bound, at a node with a transform.
+        private function boundTransform(chain:Vector.<ColladaElement>, transform:AffineTransform):AffineTransform
         {
             for each (var deformer:ColladaElement in chain)
             {
                 transform = deformer.name == "skin" ? transform.after(_skins[deformer.index].bindShape) : transform;
             }
-            for (var i:int = 0; i < points.length; i++)
-            {
-                points[i] = instance.mesh.points[i];
-            }
-            instance.putAt(transform, transform.isMirror);
+            return transform;
         }
 
-        private function skinning(instance:MeshInstance, element:ColladaElement, skin:ColladaSkin, node:int, points:Vector.<Number>):Steps
+        private function skinning(deformed:DeformedPoints, element:ColladaElement, skin:ColladaSkin, node:int):Steps
         {
             return new StepSequence().add(skin).begin(function():Steps
                 {
                     var count:int = skin.influences.offsets.length - 1;
-                    skin.element.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
-                    return instance.skinning(points, skin.influences, skin.jointMatricesOf(jointTransform, node, element), skin.element);
+                    var pointCount:int = deformed.points.length / 3;
+                    skin.element.refuseIf(pointCount != count, "it has weights for " + count + " points, but its geometry has " + pointCount);
+                    return deformed.skinning(skin.influences, skin.jointMatricesOf(jointTransform, node, element), skin.element.budget, skin.element);
                 });
         }
 
         // At rest a morph is its base shape. The targets of a relative morph are added. Other targets share the shape with the base, whose weight is the rest.
-        private function morphing(instance:MeshInstance, morph:ColladaElement, points:Vector.<Number>):Steps
+        private function morphing(deformed:DeformedPoints, morph:ColladaElement):Steps
         {
-            if (scene.pose == null)
+            if (!scene.isPosed)
             {
                 return new StepSequence();
             }
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var numbers:Vector.<Number> = posed(list.array);
+            var numbers:Vector.<Number> = scene.posed(String(list.array.index));
             var weights:Vector.<Number> = numbers == null ? list.toNumbers() : list.partOf(numbers);
             morph.refuseIf(targets.words.length > list.count, "it has " + targets.words.length + " targets, but " + list.count + " weights");
-            var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? null : points.slice();
+            var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? null : deformed.points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
                 {
                     var id:String = shortened(targets.words[index]);
@@ -350,8 +334,9 @@ package starlogo.models.collada
                     var target:SceneMesh = meshOf(geometry);
                     return new StepSequence().add(target).begin(function():Steps
                         {
-                            morph.refuseIf(target.points.length != points.length, "its target \"" + id + "\" has another number of points");
-                            return instance.morphing(points, 0, weights[index * list.stride], target.points, base);
+                            morph.refuseIf(target.points.length != deformed.points.length, "its target \"" + id + "\" has another number of points");
+                            morph.budget.spendNumbers(target.points.length, morph);
+                            return deformed.morphing(0, weights[index * list.stride], target.points, base);
                         });
                 });
         }
@@ -362,10 +347,10 @@ package starlogo.models.collada
         }
 
         // Adds an instance of a geometry, as a mesh with the name of its node. @param element places it; the geometry itself without a scene
-        private function addInstance(element:ColladaElement, geometry:ColladaElement):MeshInstance
+        private function addInstance(element:ColladaElement, geometry:ColladaElement, node:int):MeshInstance
         {
             var name:String = nameOf(element == geometry ? geometry : element.parent) || nameOf(geometry);
-            var instance:MeshInstance = new MeshInstance(scene, _node, meshOf(geometry), element, name, function(symbol:String, materials:TriangleLabels):int
+            var instance:MeshInstance = new MeshInstance(node, meshOf(geometry), element, name, function(symbol:String, materials:TriangleLabels):int
                 {
                     return labelOf(element, symbol, materials);
                 });
@@ -393,17 +378,6 @@ package starlogo.models.collada
         private static function nameOf(element:ColladaElement):String
         {
             return element.attribute("name") || element.id || null;
-        }
-
-        // All geometries come first, so skins only have what these leave of the limits.
-        private function readingMeshes():Steps
-        {
-            var count:int = scene.instances.length;
-            return new StepSequence().beginEach(count, function(index:int):Steps
-                {
-                    _data.readProgress = index / count / 2;
-                    return scene.instances[index].mesh;
-                });
         }
     }
 }

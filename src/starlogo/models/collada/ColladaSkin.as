@@ -2,8 +2,8 @@ package starlogo.models.collada
 {
     import starlogo.data.keyOf;
     import starlogo.geometry.AffineTransform;
-    import starlogo.models.animation.JointInfluences;
     import starlogo.models.files.shortened;
+    import starlogo.models.scene.JointInfluences;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;

@@ -63,13 +63,11 @@ package starlogo.models.gltf
         // Reads the keys of a sampler. @param path the property that they move
         private static function samplerOf(file:GltfFile, sampler:GltfJson, path:String):AnimationSampler
         {
-            var input:int = sampler.indexOrNone("input", "accessors");
-            var output:int = sampler.indexOrNone("output", "accessors");
-            sampler.refuseIf(input < 0 || output < 0, "expected input and output");
             var interpolation:String = sampler.has("interpolation") ? sampler.textOrNull("interpolation") : AnimationSampler.LINEAR;
             sampler.refuseIf([AnimationSampler.LINEAR, AnimationSampler.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
-            var times:GltfAccessor = file.accessor(input, "SCALAR");
-            var values:GltfAccessor = file.accessor(output, TYPES[path]);
+            var times:GltfAccessor = file.accessorOf(sampler, "input", "SCALAR");
+            var values:GltfAccessor = file.accessorOf(sampler, "output", TYPES[path]);
+            sampler.refuseIf(times == null || values == null, "expected input and output");
             var wanted:Number = Number(times.count) * (interpolation == CUBIC ? 3 : 1);
             values.json.refuseIf(times.count == 0 || values.count < wanted || values.count % wanted != 0 || path != "weights" && values.count != wanted,
                     "it has " + values.count + " elements for " + times.count + " keys");

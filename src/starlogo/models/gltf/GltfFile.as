@@ -2,8 +2,8 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.models.files.FileUrl;
     import starlogo.models.files.FileBudget;
+    import starlogo.models.files.FileUrl;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
@@ -64,8 +64,9 @@ package starlogo.models.gltf
          */
         public function GltfFile(file:ModelFile, fetch:Function)
         {
-            var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file) : file.requireText("glTF file");
-            budget = new FileBudget(file.name, text.length);
+            var hasChunks:Boolean = file.bytes != null && isBinary(file.bytes);
+            var text:String = hasChunks ? openChunks(file) : file.requireText("glTF file");
+            budget = new FileBudget(file.name, hasChunks ? file.bytes.length : text.length);
             var reader:JsonReader = new JsonReader(text, budget);
             add(reader).call(function():void
                 {
@@ -103,13 +104,18 @@ package starlogo.models.gltf
         }
 
         /**
-         * An accessor. It is the same for all that use it, so its numbers are read once.
+         * The accessor to which a property refers; null if there is none. It is the same for all that use it, so its numbers are read once.
          *
-         * @param index the accessor's index
+         * @param user has the property
          * @param type the type that it must have: "SCALAR", "VEC3" or another
          */
-        internal function accessor(index:int, type:String):GltfAccessor
+        internal function accessorOf(user:GltfJson, key:String, type:String):GltfAccessor
         {
+            var index:int = user.indexOrNone(key, "accessors");
+            if (index < 0)
+            {
+                return null;
+            }
             var found:GltfJson = json.rootEntry("accessors", index);
             found.refuseIf(found.raw.type !== type, "expected \"" + type + "\", but found " + GltfJson.shown(found.raw.type), "type");
             return _accessors[index] ||= GltfAccessor.of(this, found);
@@ -204,7 +210,7 @@ package starlogo.models.gltf
             }
         }
 
-        // Starts to fetch the other files. The next step keeps their buffers.
+        // Starts to fetch the other files. In the next step all buffers are there that are not missing, and they are checked.
         private function fetchingOthers(fetch:Function):Steps
         {
             var files:Array = [];
@@ -216,11 +222,18 @@ package starlogo.models.gltf
                 {
                     for (var index:int = 0; index < json.count("buffers"); index++)
                     {
-                        var file:int = _uris.indexOf(json.rootEntry("buffers", index).raw.uri);
+                        var buffer:GltfJson = json.rootEntry("buffers", index);
+                        var file:int = _uris.indexOf(buffer.raw.uri);
                         if (file >= 0)
                         {
-                            json.refuseIf(files[file].bytes == null, files[file].problem, "buffers[" + index + "].uri");
-                            keep(index, files[file].bytes);
+                            buffer.refuseIf(files[file].bytes == null, files[file].problem, "uri");
+                            _buffers[index] = files[file].bytes;
+                        }
+                        var bytes:ByteArray = _buffers[index];
+                        if (bytes != null)
+                        {
+                            buffer.refuseIf(bytes.length < buffer.raw.byteLength, "it should have " + buffer.raw.byteLength + " bytes, but has " + bytes.length);
+                            bytes.endian = Endian.LITTLE_ENDIAN;
                         }
                     }
                     for each (var fetched:Object in files)
@@ -233,23 +246,13 @@ package starlogo.models.gltf
         // The steps that decode a buffer. Without steps, it is in the binary chunk, in another file, or missing.
         private function readingBuffer(index:int):Steps
         {
-            var work:StepSequence = new StepSequence();
             var buffer:GltfJson = json.rootEntry("buffers", index);
-            var chunk:ByteArray = index < _buffers.length ? _buffers[index] : null;
-            _buffers[index] = null;
-            // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
-            buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
             var uri:* = buffer.raw.uri;
+            // a wrong length is refused before the buffer is fetched or decoded
+            buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
-            if (uri === undefined)
-            {
-                if (chunk != null)
-                {
-                    budget.addBytes(chunk.length);
-                    keep(index, chunk);
-                }
-            }
-            else if (DATA.test(uri))
+            _buffers[index] = uri === undefined && index < _buffers.length ? _buffers[index] : null;
+            if (uri !== undefined && DATA.test(uri))
             {
                 var comma:int = uri.indexOf(",");
                 buffer.refuseIf(!BASE64.test(uri.substring(0, comma)), "expected data in base64", "uri");
@@ -257,13 +260,10 @@ package starlogo.models.gltf
                 {
                     uri = uri.substring(0, comma + 1) + unescape(uri.substring(comma + 1));
                 }
-                var bytes:ByteArray = new ByteArray();
-                work.add(decodingBase64(budget.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
-                    {
-                        keep(index, bytes);
-                    });
+                _buffers[index] = new ByteArray();
+                return decodingBase64(budget.modelName, uri, comma + 1, buffer.place + ".uri", _buffers[index]);
             }
-            else
+            if (uri !== undefined)
             {
                 buffer.refuseIf(!FileUrl.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
                 if (_uris.indexOf(uri) < 0)
@@ -272,16 +272,7 @@ package starlogo.models.gltf
                     _uris.push(uri);
                 }
             }
-            return work;
-        }
-
-        private function keep(index:int, bytes:ByteArray):void
-        {
-            var buffer:GltfJson = json.rootEntry("buffers", index);
-            var wanted:int = buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
-            buffer.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length);
-            bytes.endian = Endian.LITTLE_ENDIAN;
-            _buffers[index] = bytes;
+            return new StepSequence();
         }
     }
 }

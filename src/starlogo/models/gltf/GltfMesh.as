@@ -1,7 +1,9 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.animation.JointInfluences;
-    import starlogo.models.scene.MeshInstance;
+    import starlogo.geometry.AffineTransform;
+    import starlogo.models.scene.DeformedPoints;
+    import starlogo.models.scene.JointInfluences;
+    import starlogo.models.scene.Scene;
     import starlogo.models.scene.SceneMesh;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -20,20 +22,23 @@ package starlogo.models.gltf
         private static const STRIP:int = 5;
         private static const FAN:int = 6;
 
-        /** What each vertex follows: joints of the skin, or the node itself, which has the index after the last joint. Null without a skin. */
-        public var influences:JointInfluences;
-
         /** Whether vertices are moved by a skin or by morph targets. */
         public var isDeformed:Boolean;
 
-        /** Whether a vertex follows a joint of the skin. */
-        public var hasJoints:Boolean = false;
-
         private var _file:GltfFile;
+        private var _skin:GltfJson;
         private var _jointCount:int;
 
+        // What each vertex follows: joints of the skin, or the node itself, which has the index after the last joint. Null without a skin.
+        private var _influences:JointInfluences;
+
+        // whether a vertex follows a joint
+        private var _hasJoints:Boolean = false;
+
         private var _morphed:Vector.<GltfJson> = new Vector.<GltfJson>(); // the primitives with morph targets
-        private var _firsts:Object = {}; // the first vertex of what primitives share, by the index of its positions, and the place of one that shares nothing
+
+        // the first vertex of what primitives share, by the place of its positions; the key of a primitive that shares nothing has its own place, too
+        private var _firsts:Object = {};
 
         /**
          * @param file the file; all its steps must be done
@@ -43,8 +48,9 @@ package starlogo.models.gltf
         public function GltfMesh(file:GltfFile, json:GltfJson, skin:GltfJson)
         {
             _file = file;
+            _skin = skin;
             _jointCount = skin == null ? 0 : skin.count("joints");
-            influences = skin == null ? null : new JointInfluences();
+            _influences = skin == null ? null : new JointInfluences();
             isDeformed = skin != null;
             for (var i:int = 0; i < json.count("primitives") && !isDeformed; i++)
             {
@@ -57,34 +63,60 @@ package starlogo.models.gltf
         }
 
         /**
-         * The steps that move points by the morph targets.
+         * The steps that move the points of an instance by the morph targets, and then by the skin.
          *
-         * @param instance has the mesh
-         * @param moved all points of the instance
-         * @param weights of the targets
+         * @param deformed the points
+         * @param weights of the morph targets
+         * @param scene has the joints
+         * @param node the instance's node
          */
-        public function morphing(instance:MeshInstance, moved:Vector.<Number>, weights:Vector.<Number>):Steps
+        public function deforming(deformed:DeformedPoints, weights:Vector.<Number>, scene:Scene, node:int):Steps
         {
             return new StepSequence().beginEach(_morphed.length, function(index:int):Steps
                 {
                     var primitive:GltfJson = _morphed[index];
-                    var rest:int = primitive.object("attributes").indexOrNone("POSITION", "accessors");
+                    var rest:GltfAccessor = _file.accessorOf(primitive.object("attributes"), "POSITION", "VEC3");
                     // the primitive may have a target for each weight
                     _file.budget.spendElements(weights.length, primitive.place);
                     return new StepSequence().beginEach(Math.min(primitive.count("targets"), weights.length), function(target:int):Steps
                         {
-                            var position:int = primitive.element("targets", target).indexOrNone("POSITION", "accessors");
-                            if (position < 0 || weights[target] == 0)
+                            var ways:GltfAccessor = weights[target] == 0 ? null : _file.accessorOf(primitive.element("targets", target), "POSITION", "VEC3");
+                            if (ways == null)
                             {
                                 return new StepSequence();
                             }
-                            var ways:GltfAccessor = _file.accessor(position, "VEC3");
-                            ways.requireCount(_file.accessor(rest, "VEC3").count);
-                            return new StepSequence().add(ways).begin(function():Steps
-                                {
-                                    return instance.morphing(moved, _firsts[rest + primitive.place], weights[target], ways.numbers, null);
-                                });
+                            ways.requireCount(rest.count);
+                            _file.budget.spendNumbers(ways.numbers.length, primitive.place);
+                            return new StepSequence().add(ways).add(deformed.morphing(_firsts[rest.json.place + primitive.place], weights[target], ways.numbers, null));
                         });
+                }).begin(function():Steps
+                {
+                    return _hasJoints ? skinning(deformed, scene, node) : null;
+                });
+        }
+
+        // The steps that move points by the skin. After its joints there is the node itself, which vertices without joints follow.
+        private function skinning(deformed:DeformedPoints, scene:Scene, node:int):Steps
+        {
+            var work:StepSequence = new StepSequence();
+            _skin.refuseIf(_jointCount == 0, "expected at least one joint", "joints");
+            var inverses:GltfAccessor = _file.accessorOf(_skin, "inverseBindMatrices", "MAT4");
+            if (inverses != null)
+            {
+                inverses.json.refuseIf(inverses.count < _jointCount, "there are " + _jointCount + " joints, but fewer matrices");
+                work.add(inverses);
+            }
+            _file.budget.spendNumbers(_jointCount, _skin.place);
+            return work.begin(function():Steps
+                {
+                    var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+                    for (var i:int = 0; i < _jointCount; i++)
+                    {
+                        var joint:AffineTransform = scene.transformOf(_skin.indexIn("joints", i, "nodes"));
+                        jointMatrices.push(inverses == null ? joint : joint.after(GltfReader.ofColumns(inverses.numbers, 16 * i)));
+                    }
+                    jointMatrices.push(scene.transformOf(node));
+                    return deformed.skinning(_influences, jointMatrices, _file.budget, _skin.place);
                 });
         }
 
@@ -94,15 +126,14 @@ package starlogo.models.gltf
             var work:StepSequence = new StepSequence();
             primitive.refuseIf(primitive.hasExtension(GltfFile.DRACO), "it is " + GltfFile.DRACO_PROBLEM);
             var attributes:GltfJson = primitive.object("attributes");
-            var position:int = attributes == null ? -1 : attributes.indexOrNone("POSITION", "accessors");
-            if (position < 0)
+            var positions:GltfAccessor = attributes == null ? null : _file.accessorOf(attributes, "POSITION", "VEC3");
+            if (positions == null)
             {
                 return work;
             }
-            var positions:GltfAccessor = _file.accessor(position, "VEC3");
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
-            var key:String = position + (isPlain ? "" : primitive.place);
+            var key:String = positions.json.place + (isPlain ? "" : primitive.place);
             if (!(key in _firsts))
             {
                 _firsts[key] = points.length / 3;
@@ -111,7 +142,6 @@ package starlogo.models.gltf
             var mode:int = primitive.integer("mode", FAN, TRIANGLES);
             if (mode >= TRIANGLES)
             {
-                beginPrimitive(String(primitive.indexOrNone("material", "materials")));
                 addTriangles(work, mode, primitive, _firsts[key], positions.count);
             }
             return work;
@@ -128,7 +158,7 @@ package starlogo.models.gltf
             {
                 _morphed.push(primitive);
             }
-            if (influences != null)
+            if (_influences != null)
             {
                 addInfluences(work, attributes, positions.count);
             }
@@ -141,7 +171,7 @@ package starlogo.models.gltf
             var weights:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
             for (var i:int = 0; attributes.has("JOINTS_" + i); i++)
             {
-                hasJoints = true;
+                _hasJoints = true;
                 joints.push(ofVertices(work, attributes, "JOINTS_" + i, vertexCount));
                 weights.push(ofVertices(work, attributes, "WEIGHTS_" + i, vertexCount));
             }
@@ -157,25 +187,24 @@ package starlogo.models.gltf
                         }
                         if (joints.length == 0)
                         {
-                            influences.joints.push(_jointCount);
-                            influences.weights.push(1);
+                            _influences.joints.push(_jointCount);
+                            _influences.weights.push(1);
                         }
-                        influences.offsets.push(influences.joints.length);
+                        _influences.offsets.push(_influences.joints.length);
                     }
                 });
         }
 
         private function ofVertices(work:StepSequence, attributes:GltfJson, key:String, vertexCount:int):GltfAccessor
         {
-            var index:int = attributes.indexOrNone(key, "accessors");
-            attributes.refuseIf(index < 0, "a mesh has no weights for its joints");
-            var found:GltfAccessor = _file.accessor(index, "VEC4");
+            var found:GltfAccessor = _file.accessorOf(attributes, key, "VEC4");
+            attributes.refuseIf(found == null, "a mesh has no weights for its joints");
             found.requireCount(vertexCount);
             work.add(found);
             return found;
         }
 
-        // Reads the influences of a vertex in a set. A weight of 0 is none, whatever its joint is.
+        // Reads the _influences of a vertex in a set. A weight of 0 is none, whatever its joint is.
         private function readSet(joints:GltfAccessor, weights:GltfAccessor, vertex:int):void
         {
             for (var at:int = 4 * vertex; at < 4 * vertex + 4; at++)
@@ -189,16 +218,16 @@ package starlogo.models.gltf
                 {
                     throw joints.json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + _jointCount);
                 }
-                influences.joints.push(joint);
-                influences.weights.push(weights.numbers[at]);
+                _influences.joints.push(joint);
+                _influences.weights.push(weights.numbers[at]);
             }
         }
 
-        // Adds the steps that read a primitive's triangles. Triangle n of a list has the corners 3n, 3n+1 and 3n+2.
-        private function addTriangles(work:StepSequence, mode:int, primitive:GltfJson, firstVertex:int, vertexCount:int):void
+        // Adds the steps that read the indices of a primitive's triangles. A model takes the triangles from the indices. Triangle n of a list has the
+        // corners 3n, 3n+1 and 3n+2.
+        private function addTriangles(work:StepSequence, mode:int, primitive:GltfJson, firstPoint:int, vertexCount:int):void
         {
-            var index:int = primitive.indexOrNone("indices", "accessors");
-            var indices:GltfAccessor = index < 0 ? null : _file.accessor(index, "SCALAR");
+            var indices:GltfAccessor = _file.accessorOf(primitive, "indices", "SCALAR");
             if (indices != null)
             {
                 indices.json.refuseIf(!indices.areIndices, "indices must be 5121, 5123 or 5125, and not normalized", "componentType");
@@ -206,19 +235,21 @@ package starlogo.models.gltf
             }
             var cornerCount:int = indices == null ? vertexCount : indices.count;
             var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            _file.budget.checkMeshSize(0, triangles.length / 3 + triangleCount, primitive.place);
-            work.slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+            addPrimitive(String(primitive.indexOrNone("material", "materials")), triangleCount, function(firstVertex:int, triangles:Vector.<uint>):Steps
                 {
-                    for (var i:int = 3 * first; i < 3 * end; i++)
-                    {
-                        var corner:int = mode == TRIANGLES ? i : cornerOf(int(i / 3), i % 3, mode == FAN);
-                        var vertex:Number = indices == null ? corner : indices.numbers[corner];
-                        if (vertex >= vertexCount)
+                    return new StepSequence().slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                         {
-                            throw indices.json.error("element " + corner + " names vertex " + vertex + ": " + primitive.place + " has " + vertexCount);
-                        }
-                        triangles.push(firstVertex + int(vertex));
-                    }
+                            for (var i:int = 3 * first; i < 3 * end; i++)
+                            {
+                                var corner:int = mode == TRIANGLES ? i : cornerOf(int(i / 3), i % 3, mode == FAN);
+                                var vertex:Number = indices == null ? corner : indices.numbers[corner];
+                                if (vertex >= vertexCount)
+                                {
+                                    throw indices.json.error("element " + corner + " names vertex " + vertex + ": " + primitive.place + " has " + vertexCount);
+                                }
+                                triangles.push(firstVertex + firstPoint + int(vertex));
+                            }
+                        });
                 });
         }
 

@@ -6,6 +6,7 @@ package starlogo.models.gltf
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
+    import starlogo.models.scene.DeformedPoints;
     import starlogo.models.scene.MeshInstance;
     import starlogo.models.scene.Scene;
     import starlogo.steps.StepSequence;
@@ -19,14 +20,13 @@ package starlogo.models.gltf
      *
      * @private
      */
-    public final class GltfReader extends StepSequence implements FormatReader
+    public final class GltfReader extends FormatReader
     {
         private static const NODES_PER_STEP:int = 200;
 
         /** The scene. Its steps read the file. Read only. */
         internal var scene:Scene;
 
-        private var _data:ModelData;
         private var _file:GltfFile;
         private var _meshes:Object = {}; // by the indices of the mesh and of a skin
 
@@ -37,20 +37,14 @@ package starlogo.models.gltf
          */
         public function GltfReader(file:GltfFile, upAxis:Object, scaling:String)
         {
-            _data = ModelData.forFile(file.budget.modelName, upAxis, scaling, "y");
+            data = ModelData.forFile(file.budget.modelName, upAxis, scaling, "y");
             _file = file;
-            scene = new Scene(_data, file.budget, transformOf);
+            scene = new Scene(data, file.budget, transformOf);
             scene.add(file).begin(readingNodes).begin(visitingNodes);
             add(scene).begin(function():Steps
                 {
-                    return scene.adding(_data);
+                    return scene.adding(data);
                 });
-        }
-
-        /** @inheritDoc */
-        public function get data():ModelData
-        {
-            return _data;
         }
 
         /** The target of an animation that moves a property of a node. @param path "translation", "rotation", "scale" or "weights" */
@@ -64,7 +58,7 @@ package starlogo.models.gltf
             var count:int = _file.json.count("nodes");
             for (var i:int = 0; i < _file.json.count("materials"); i++)
             {
-                _data.materials.addLabel(_file.json.rootEntry("materials", i).textOrNull("name"));
+                data.materials.addLabel(_file.json.rootEntry("materials", i).textOrNull("name"));
             }
             for (i = 0; i < count; i++)
             {
@@ -110,11 +104,11 @@ package starlogo.models.gltf
         // The numbers of a node's property in the present pose; null if they are those in the file.
         private function posed(node:int, path:String):Vector.<Number>
         {
-            return scene.pose == null ? null : scene.pose.numbersOf(targetOf(node, path));
+            return scene.posed(targetOf(node, path));
         }
 
-        // The transform with 16 numbers, column by column. @param at the index of the first one
-        private static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
+        /** The transform with 16 numbers, column by column. @param at the index of the first one */
+        internal static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
         {
             return new AffineTransform(new <Number>[
                         m[at], m[at + 4], m[at + 8], m[at + 12],
@@ -188,13 +182,10 @@ package starlogo.models.gltf
             var skin:GltfJson = skinIndex < 0 ? null : node.rootEntry("skins", skinIndex);
             _file.budget.spendElements(1 + json.count("primitives"), json.place);
             var mesh:GltfMesh = _meshes[meshIndex + " " + skinIndex] ||= new GltfMesh(_file, json, skin);
-            var instance:MeshInstance = new MeshInstance(scene, index, mesh, node.place, node.textOrNull("name") || json.textOrNull("name"), labelOf);
-            instance.deforming = !mesh.isDeformed ? null : function(points:Vector.<Number>):Steps
+            var instance:MeshInstance = new MeshInstance(index, mesh, node.place, node.textOrNull("name") || json.textOrNull("name"), labelOf);
+            instance.deforming = !mesh.isDeformed ? null : function(deformed:DeformedPoints):Steps
             {
-                return new StepSequence().add(mesh.morphing(instance, points, weightsOf(index, node, json))).begin(function():Steps
-                    {
-                        return mesh.hasJoints ? skinning(instance, points, mesh, skin, index) : null;
-                    });
+                return mesh.deforming(deformed, weightsOf(index, node, json), scene, index);
             };
             scene.instances.push(instance);
         }
@@ -209,33 +200,6 @@ package starlogo.models.gltf
         private function weightsOf(index:int, node:GltfJson, mesh:GltfJson):Vector.<Number>
         {
             return posed(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
-        }
-
-        // The steps that move points by a skin. After its joints there is the node itself, which vertices without joints follow.
-        private function skinning(instance:MeshInstance, points:Vector.<Number>, mesh:GltfMesh, skin:GltfJson, node:int):Steps
-        {
-            var work:StepSequence = new StepSequence();
-            var jointCount:int = skin.count("joints");
-            skin.refuseIf(jointCount == 0, "expected at least one joint", "joints");
-            var index:int = skin.indexOrNone("inverseBindMatrices", "accessors");
-            var inverses:GltfAccessor = index < 0 ? null : _file.accessor(index, "MAT4");
-            if (inverses != null)
-            {
-                inverses.json.refuseIf(inverses.count < jointCount, "there are " + jointCount + " joints, but fewer matrices");
-                work.add(inverses);
-            }
-            _file.budget.spendNumbers(jointCount, skin.place);
-            return work.begin(function():Steps
-                {
-                    var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
-                    for (var i:int = 0; i < jointCount; i++)
-                    {
-                        var joint:AffineTransform = scene.transformOf(skin.indexIn("joints", i, "nodes"));
-                        jointMatrices.push(inverses == null ? joint : joint.after(ofColumns(inverses.numbers, 16 * i)));
-                    }
-                    jointMatrices.push(scene.transformOf(node));
-                    return instance.skinning(points, mesh.influences, jointMatrices, skin.place);
-                });
         }
     }
 }

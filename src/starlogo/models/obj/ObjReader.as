@@ -11,7 +11,6 @@ package starlogo.models.obj
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
-    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -19,9 +18,8 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends StepSequence implements FormatReader
+    public final class ObjReader extends FormatReader
     {
-        private var _data:ModelData;
         private var _lines:LineReader;
 
         // The faces of more than three corners are kept until all vertices are known: the corners, and two labels of each face, of its material and of
@@ -37,18 +35,12 @@ package starlogo.models.obj
         /** The other parameters are those of ObjModel. @param file the file */
         public function ObjReader(file:ModelFile, upAxis:Object, scaling:String)
         {
+            data = ModelData.forFile(file.name, upAxis, scaling);
             var text:String = file.requireText();
-            _data = ModelData.forFile(file.name, upAxis, scaling);
             refuseModelIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
             refuseModelIf(file.beginsWithTag, file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
-            _lines = new LineReader(_data, text, readStatement);
-            add(_lines).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));
-        }
-
-        /** @inheritDoc */
-        public function get data():ModelData
-        {
-            return _data;
+            _lines = new LineReader(data, text, readStatement);
+            add(_lines).call(checkIndices).begin(triangulating).add(removingUnusedVertices(data.vertices, data.triangles));
         }
 
         private function readStatement(words:Array):void
@@ -56,19 +48,19 @@ package starlogo.models.obj
             switch (words[0])
             {
                 case "v":
-                    _lines.readPoint(words, 1, _data.vertices, _data.vertices.length);
+                    _lines.readPoint(words, 1, data.vertices, data.vertices.length);
                     break;
                 case "f":
                     readFace(words);
                     break;
                 case "usemtl":
-                    readLabel(words, _data.materials);
+                    readLabel(words, data.materials);
                     break;
                 case "o":
-                    readLabel(words, _data.meshes);
+                    readLabel(words, data.meshes);
                     break;
                 case "g":
-                    readLabel(words, _data.meshes);
+                    readLabel(words, data.meshes);
             }
         }
 
@@ -76,7 +68,7 @@ package starlogo.models.obj
         private function readLabel(words:Array, labels:TriangleLabels):void
         {
             var name:String = words.slice(1).join(" ");
-            labels.beginRun(name == "" ? -1 : labels.labelWithKey(name, name), _data.triangles.length / 3);
+            labels.beginRun(name == "" ? -1 : labels.labelWithKey(name, name), data.triangles.length / 3);
         }
 
         private function readFace(words:Array):void
@@ -88,14 +80,14 @@ package starlogo.models.obj
             }
             if (corners.length == 3)
             {
-                _data.triangles.push(corners[0], corners[1], corners[2]);
+                data.triangles.push(corners[0], corners[1], corners[2]);
             }
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                _polygonLabels.push(_data.materials.current, _data.meshes.current);
+                _polygonLabels.push(data.materials.current, data.meshes.current);
                 _polygonTriangles += corners.length - 2;
-                _lines.budget.checkMeshSize(0, _data.triangles.length / 3 + _polygonTriangles, _lines);
+                _lines.budget.checkMeshSize(0, data.triangles.length / 3 + _polygonTriangles, _lines);
             }
         }
 
@@ -107,14 +99,14 @@ package starlogo.models.obj
             var index:int = int(value);
             if (index != value || index == 0)
             {
-                throw new ModelError(_data.name, String(_lines), "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
+                throw new ModelError(data.name, String(_lines), "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
                         shortened(word) + "\"");
             }
-            index = index > 0 ? index - 1 : _data.vertices.length / 3 + index;
+            index = index > 0 ? index - 1 : data.vertices.length / 3 + index;
             if (index < 0)
             {
-                throw new ModelError(_data.name, String(_lines), "the corner \"" + shortened(word) +
-                        "\" counts back beyond the first vertex: there are " + _data.vertices.length / 3 + " before it");
+                throw new ModelError(data.name, String(_lines), "the corner \"" + shortened(word) +
+                        "\" counts back beyond the first vertex: there are " + data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
             {
@@ -126,19 +118,19 @@ package starlogo.models.obj
 
         private function checkIndices():void
         {
-            var vertexCount:int = _data.vertices.length / 3;
-            refuseModelIf(vertexCount == 0, _data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
-            refuseModelIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
+            var vertexCount:int = data.vertices.length / 3;
+            refuseModelIf(vertexCount == 0, data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
+            refuseModelIf(_highestIndex >= vertexCount, data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
         // The steps that triangulate all polygons.
         private function triangulating():Steps
         {
-            var triangulator:Triangulator = new Triangulator(_lines.budget, _data.vertices, _data.triangles);
+            var triangulator:Triangulator = new Triangulator(_lines.budget, data.vertices, data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
-                    _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
+                    data.materials.beginRun(_polygonLabels[2 * index], data.triangles.length / 3);
+                    data.meshes.beginRun(_polygonLabels[2 * index + 1], data.triangles.length / 3);
                     return triangulator.addPolygon(_polygons[index]);
                 });
         }

@@ -1,7 +1,6 @@
 package starlogo.models.scene
 {
     import starlogo.geometry.AffineTransform;
-    import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;
@@ -26,11 +25,11 @@ package starlogo.models.scene
         /** The instances of meshes, in the order of the scene. The reader adds them. */
         public var instances:Vector.<MeshInstance> = new Vector.<MeshInstance>();
 
-        /** The present pose; null at rest. Read only. */
-        public var pose:Pose = null;
-
         /** The node around each node; -1 for none. The reader sets it. */
         public var parents:Vector.<int> = new Vector.<int>();
+
+        // Numbers of the file that the present pose replaces: all of each target; null at rest.
+        private var _pose:Object = null;
 
         private var _placing:Function;
 
@@ -50,11 +49,11 @@ package starlogo.models.scene
             _placing = placing;
         }
 
-        /** Adds a node. Nodes have indices in this order. @param parent the node around it; -1 for none, or if that is set later */
-        public function addNode(parent:int):void
+        /** Adds a node, and returns its index. @param parent the node around it; -1 for none, or if that is set later */
+        public function addNode(parent:int):int
         {
-            parents.push(parent);
             _transforms.push(null);
+            return parents.push(parent) - 1;
         }
 
         /**
@@ -80,14 +79,22 @@ package starlogo.models.scene
             return transform;
         }
 
-        /** The steps that add all instances to a model, in the present pose. */
+        /**
+         * The steps that read all meshes, if that was not done yet, and then add all instances to a model, in the present pose. All meshes come first, so
+         * skins only have what these leave of the limits.
+         */
         public function adding(model:ModelData):Steps
         {
+            var scene:Scene = this;
             var count:int = instances.length;
             return new StepSequence().beginEach(count, function(index:int):Steps
                 {
-                    model.readProgress = Math.max(model.readProgress, index / count);
-                    return instances[index].adding(model);
+                    model.readProgress = index / count / 2;
+                    return instances[index].mesh;
+                }).beginEach(count, function(index:int):Steps
+                {
+                    model.readProgress = (1 + index / count) / 2;
+                    return instances[index].adding(model, scene);
                 }).call(function():void
                 {
                     model.readProgress = 1;
@@ -95,10 +102,26 @@ package starlogo.models.scene
                 }).add(removingUnusedVertices(model.vertices, model.triangles));
         }
 
-        /** Brings the nodes into a pose. What the file may cost counts anew, because its meshes are placed once more. */
-        public function enter(newPose:Pose):void
+        /** Whether the scene is in a pose of an animation. Otherwise it is at rest. */
+        public function get isPosed():Boolean
         {
-            pose = newPose;
+            return _pose != null;
+        }
+
+        /** All numbers of a target in the present pose: see AnimationChannel. Null if they are those in the file. */
+        public function posed(target:String):Vector.<Number>
+        {
+            return _pose == null ? null : _pose[target];
+        }
+
+        /**
+         * Brings the nodes into a pose. What the file may cost counts anew, because its meshes are placed once more.
+         *
+         * @param pose all numbers of each target that moves, by the target
+         */
+        public function enter(pose:Object):void
+        {
+            _pose = pose;
             for (var i:int = 0; i < _transforms.length; i++)
             {
                 _transforms[i] = null;

@@ -3,7 +3,7 @@ package starlogo.models.scene
     import starlogo.steps.StepSequence;
 
     /**
-     * A mesh of a scene, in its own space: points, and the triangles of primitives. The reader of the format adds the steps that read it. All instances
+     * A mesh of a scene, in its own space: points, and primitives with triangles. The reader of the format adds the steps that read it. All instances
      * share it.
      *
      * @private
@@ -13,14 +13,14 @@ package starlogo.models.scene
         /** x, y, z of each point. */
         public var points:Vector.<Number> = new Vector.<Number>();
 
-        /** Three indices of points for each triangle, of one primitive after the other. */
-        public var triangles:Vector.<uint> = new Vector.<uint>();
+        /** The number of triangles. Read only. */
+        public var triangleCount:Number = 0;
 
-        /** The first triangle of each primitive. */
-        public var firstTriangles:Vector.<int> = new Vector.<int>();
-
-        /** The material of each primitive, as the file calls it: see MeshInstance. */
+        /** The material of each primitive, as the file calls it: see MeshInstance. Read only. */
         public var materials:Vector.<String> = new Vector.<String>();
+
+        /** For each primitive, the function that adds its triangles: see addPrimitive(). Read only. */
+        public var primitives:Vector.<Function> = new Vector.<Function>();
 
         /** Adds points. They are copied at once if they are the first, because that is quick. */
         public function addPoints(more:Vector.<Number>):void
@@ -36,11 +36,19 @@ package starlogo.models.scene
             }
         }
 
-        /** Begins the next primitive. Triangles that come next are its triangles. */
-        public function beginPrimitive(material:String):void
+        /**
+         * Adds a primitive.
+         *
+         * @param material its material, as the file calls it
+         * @param count the number of its triangles
+         * @param adding <code>function(firstVertex:int, triangles:Vector.&lt;uint&gt;):Steps</code>; returns the steps that add its triangles to those of a
+         * model, where the first point of the mesh has that index
+         */
+        public function addPrimitive(material:String, count:int, adding:Function):void
         {
-            firstTriangles.push(triangles.length / 3);
+            triangleCount += count;
             materials.push(material);
+            primitives.push(adding);
         }
     }
 }

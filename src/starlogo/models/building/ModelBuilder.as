@@ -128,17 +128,15 @@ package starlogo.models.building
 
         private function addNormalising():void
         {
-            switch (_data.scaling)
+            if (_data.scaling == Model.VOLUME)
             {
-                case Model.FOOTPRINT:
-                    begin(rotating).begin(scalingByFactors).begin(placingFootprint);
-                    break;
-                case Model.VOLUME:
-                    begin(normalisingVolume).begin(rotating).begin(normalisingVolume).begin(scalingByFactors).begin(translating);
-                    break;
-                default:
-                    begin(rotating).begin(scalingByFactors).begin(translating);
+                begin(normalisingVolume).begin(rotating).begin(normalisingVolume);
             }
+            else
+            {
+                begin(rotating);
+            }
+            begin(scalingByFactors).begin(_data.scaling == Model.FOOTPRINT ? placingFootprint : translating);
         }
 
         private function turningToZUp():Steps

@@ -16,11 +16,11 @@ package starlogo.models.building
         const TRIANGLES_PER_STEP:int = 10000;
         return new StepSequence().slices(triangles.length / 3 - first, TRIANGLES_PER_STEP, function(from:int, end:int):void
             {
-                for (var second:int = 3 * (first + from) + 1; second < 3 * (first + end); second += 3)
+                for (var i:int = 3 * (first + from); i < 3 * (first + end); i += 3)
                 {
-                    var corner:uint = triangles[second];
-                    triangles[second] = triangles[int(second + 1)];
-                    triangles[int(second + 1)] = corner;
+                    var second:uint = triangles[i + 1];
+                    triangles[i + 1] = triangles[i + 2];
+                    triangles[i + 2] = second;
                 }
             });
     }

@@ -1,6 +1,5 @@
 package starlogo.models.obj
 {
-    import starlogo.models.ModelError;
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
@@ -99,13 +98,12 @@ package starlogo.models.obj
             var index:int = int(value);
             if (index != value || index == 0)
             {
-                throw new ModelError(data.name, String(_lines), "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
-                        shortened(word) + "\"");
+                throw _lines.error("expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" + shortened(word) + "\"");
             }
             index = index > 0 ? index - 1 : data.vertices.length / 3 + index;
             if (index < 0)
             {
-                throw new ModelError(data.name, String(_lines), "the corner \"" + shortened(word) +
+                throw _lines.error("the corner \"" + shortened(word) +
                         "\" counts back beyond the first vertex: there are " + data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)

@@ -136,14 +136,14 @@ package starlogo.models.stl
                     case "endloop":
                         if (_corners != 3)
                         {
-                            throw new ModelError(data.name, String(_lines), "expected a facet of three vertices, but found " + _corners);
+                            throw _lines.error("expected a facet of three vertices, but found " + _corners);
                         }
                         _corners = 0;
                         break;
                     case "outer":
                         if (_corners != 0)
                         {
-                            throw new ModelError(data.name, String(_lines), "a loop begins before the last one has ended");
+                            throw _lines.error("a loop begins before the last one has ended");
                         }
                 }
             }
@@ -154,7 +154,7 @@ package starlogo.models.stl
             var point:Vector.<Number> = new Vector.<Number>(3, true);
             if (_corners == 3)
             {
-                throw new ModelError(data.name, String(_lines), "a facet has more than three vertices");
+                throw _lines.error("a facet has more than three vertices");
             }
             _lines.readPoint(words, first, point, 0);
             data.triangles.push(_points.add(point[0], point[1], point[2]));

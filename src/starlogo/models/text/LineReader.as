@@ -64,6 +64,12 @@ package starlogo.models.text
             return placeOf(line);
         }
 
+        /** The error for something that is wrong with the present statement. */
+        public function error(problem:String):ModelError
+        {
+            return new ModelError(_data.name, String(this), problem);
+        }
+
         /** @inheritDoc @throws ModelError if a statement is wrong or too long, or the model has too many vertices or triangles */
         public function step():Boolean
         {
@@ -108,7 +114,7 @@ package starlogo.models.text
                 var number:Number = TextWords.toNumber(words[int(first + i)] || "");
                 if (!isFinite(number))
                 {
-                    throw new ModelError(_data.name, String(this), "expected a vertex, three finite numbers, but found \"" + shortened(words.slice(first - 1).join(" ")) + "\"");
+                    throw error("expected a vertex, three finite numbers, but found \"" + shortened(words.slice(first - 1).join(" ")) + "\"");
                 }
                 out[int(at + i)] = number;
             }
@@ -131,7 +137,7 @@ package starlogo.models.text
                 length += 1 + next.length;
                 if (length > MAX_STATEMENT)
                 {
-                    throw new ModelError(_data.name, String(this), "a line and its continuation lines have more than " + MAX_STATEMENT + " characters");
+                    throw error("a line and its continuation lines have more than " + MAX_STATEMENT + " characters");
                 }
                 next = TextWords.singleSpaced(next);
                 if (next.indexOf("#") >= 0)

@@ -104,13 +104,13 @@ test('every question stands in the files of docs/adding.md, "A question"', () =>
 
 test('every model of a file passes what a ModelBuilder builds to Model', () => {
 	const models = sourcesBelow('src/starlogo').filter((file) => /\bclass \w+ extends Model\b/.test(codeOf(read(file))));
-	const built = models.filter((file) => read(file).includes('ModelBuilder'));
+	const built = models.filter((file) => read(file).includes('.build()'));
 	assert.deepEqual(built.map(simpleName).sort(), ['Away3dModel', 'ColladaModel', 'CookedModel', 'GltfModel', 'ObjModel', 'StlModel']);
 	for (const file of built) assert.match(read(file), /\bsuper\(name, null, null, null, .*\.build\(\)\);/, file);
 });
 
 test('every format stands in the files of docs/adding.md, "A format"', () => {
-	const isReader = /\bclass \w+ [^{]*\bextends FormatReader\b/;
+	const isReader = /\bclass \w+ [^{]*\bextends ModelBuilder\b/;
 	const readers = sourcesBelow('src/starlogo/models').filter((file) => isReader.test(codeOf(read(file)))).map(simpleName);
 	for (const known of ['ColladaReader', 'CookedReader', 'GltfReader', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
 	// CookedLoadingTest damages cooked files

@@ -26,7 +26,7 @@ package starlogo.away3d
          */
         public function Away3dModelReader(name:String, object:Object)
         {
-            _builder = ModelBuilder.reading(new SourceReader(name, object));
+            _builder = new SourceReader(name, object);
         }
 
         /** @inheritDoc */

@@ -9,7 +9,7 @@ package starlogo.away3d
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
-    import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
@@ -19,7 +19,7 @@ package starlogo.away3d
      * Reads the source of an Away3dModel, in steps of about a millisecond. Only the vertices that triangles use become points of the model, because
      * others are not drawn. If the whole source has no triangles, all vertices become points.
      */
-    internal final class SourceReader extends FormatReader
+    internal final class SourceReader extends ModelBuilder
     {
         // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
@@ -36,7 +36,7 @@ package starlogo.away3d
          */
         public function SourceReader(name:String, object:Object)
         {
-            data = ModelData.forFile(name, "z", Model.FOOTPRINT);
+            super(ModelData.forFile(name, "z", Model.FOOTPRINT));
             begin(function():Steps
                 {
                     addSource(object);

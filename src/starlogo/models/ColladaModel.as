@@ -1,7 +1,6 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.files.ModelFile;
 
@@ -43,7 +42,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, ModelBuilder.reading(new ColladaReader(new ModelFile(name, null, text), upAxis, scaling)).build());
+            super(name, null, null, null, new ColladaReader(new ModelFile(name, null, text), upAxis, scaling).build());
         }
 
         /**

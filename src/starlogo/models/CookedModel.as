@@ -1,7 +1,6 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.cooked.CookedReader;
 
     /**
@@ -21,7 +20,7 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(name, null, null, null, ModelBuilder.reading(new CookedReader(name, bytes)).build());
+            super(name, null, null, null, new CookedReader(name, bytes).build());
         }
 
         /**

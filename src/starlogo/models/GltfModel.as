@@ -1,7 +1,6 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
 
@@ -31,7 +30,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(name, null, null, null, ModelBuilder.reading(new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling)).build());
+            super(name, null, null, null, new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling).build());
         }
 
         /**

@@ -1,7 +1,6 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.files.ModelFile;
     import starlogo.models.obj.ObjReader;
 
@@ -33,7 +32,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, ModelBuilder.reading(new ObjReader(new ModelFile(name, null, text), upAxis, scaling)).build());
+            super(name, null, null, null, new ObjReader(new ModelFile(name, null, text), upAxis, scaling).build());
         }
 
         /**

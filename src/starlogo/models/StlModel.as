@@ -1,7 +1,6 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.files.ModelFile;
     import starlogo.models.stl.StlReader;
 
@@ -21,7 +20,7 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, ModelBuilder.reading(new StlReader(new ModelFile(name, bytes), upAxis, scaling)).build());
+            super(name, null, null, null, new StlReader(new ModelFile(name, bytes), upAxis, scaling).build());
         }
 
         /**

@@ -5,7 +5,6 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.files.ModelFile;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
@@ -193,7 +192,7 @@ package starlogo.models
                         fetched.push(uri);
                         return {bytes: file.binary, problem: null};
                     }), null, Model.FOOTPRINT);
-            assertEquals(12, ModelBuilder.reading(reader).build().triangles.length);
+            assertEquals(12, reader.build().triangles.length);
             assertEquals("a.bin", fetched.join());
         }
 

@@ -6,7 +6,7 @@ package starlogo.models.collada
     import starlogo.models.Model;
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
@@ -30,7 +30,7 @@ package starlogo.models.collada
      *
      * @private
      */
-    public final class ColladaReader extends FormatReader
+    public final class ColladaReader extends ModelBuilder
     {
         private static const ELEMENTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
@@ -63,7 +63,7 @@ package starlogo.models.collada
          */
         public function ColladaReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            data = ModelData.forFile(file.name, upAxis, scaling, "y");
+            super(ModelData.forFile(file.name, upAxis, scaling, "y"));
             var text:String = file.requireText();
             var budget:FileBudget = new FileBudget(file.name, text.length);
             xml = new XmlReader(text, budget);

@@ -9,7 +9,7 @@ package starlogo.models.cooked
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
@@ -26,7 +26,7 @@ package starlogo.models.cooked
      *
      * @private
      */
-    public final class CookedReader extends FormatReader
+    public final class CookedReader extends ModelBuilder
     {
         /** An encoding up to this one, from 0, is the number of decimals of the source's coordinates. */
         internal static const MOST_DECIMALS:int = 8;
@@ -50,7 +50,7 @@ package starlogo.models.cooked
          */
         public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
         {
-            data = new ModelData(name);
+            super(new ModelData(name));
             var file:CookedFile = new CookedFile(bytes);
             add(file).begin(function():Steps
                 {

@@ -3,7 +3,7 @@ package starlogo.models.gltf
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.models.animation.normaliseQuaternion;
-    import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.scene.DeformedPoints;
@@ -20,7 +20,7 @@ package starlogo.models.gltf
      *
      * @private
      */
-    public final class GltfReader extends FormatReader
+    public final class GltfReader extends ModelBuilder
     {
         private static const NODES_PER_STEP:int = 200;
 
@@ -37,7 +37,7 @@ package starlogo.models.gltf
          */
         public function GltfReader(file:GltfFile, upAxis:Object, scaling:String)
         {
-            data = ModelData.forFile(file.budget.modelName, upAxis, scaling, "y");
+            super(ModelData.forFile(file.budget.modelName, upAxis, scaling, "y"));
             _file = file;
             scene = new Scene(data, file.budget, transformOf);
             scene.add(file).begin(readingNodes).begin(visitingNodes);

@@ -2,7 +2,7 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;
@@ -32,7 +32,7 @@ package starlogo.models.loading
          * @param scaling as for Model's constructor
          * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function newReader(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):FormatReader
+        public static function newReader(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelBuilder
         {
             var transform:ModelTransform = upAxis as ModelTransform;
             ModelData.requireUpAxis(file.name, upAxis);

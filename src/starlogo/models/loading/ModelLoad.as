@@ -6,7 +6,6 @@ package starlogo.models.loading
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
@@ -188,7 +187,7 @@ package starlogo.models.loading
             var file:FileDownload = startDownload(address);
             call(function():void
                 {
-                    _maker = ModelBuilder.reading(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _transformUrl != null)));
+                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _transformUrl != null));
                 }).repeat(readCooked);
         }
 
@@ -246,7 +245,7 @@ package starlogo.models.loading
 
         private function read(file:ModelFile):void
         {
-            addMakeSteps(ModelBuilder.reading(ModelFormat.newReader(file, _upAxis, _scaling, fetchSibling)));
+            addMakeSteps(ModelFormat.newReader(file, _upAxis, _scaling, fetchSibling));
         }
 
         // Starts to fetch a file that the model's file names: see GltfFile. The maker's next step is done when it has come.

@@ -1,6 +1,6 @@
 package starlogo.models.obj
 {
-    import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
@@ -17,7 +17,7 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends FormatReader
+    public final class ObjReader extends ModelBuilder
     {
         private var _lines:LineReader;
 
@@ -34,7 +34,7 @@ package starlogo.models.obj
         /** The other parameters are those of ObjModel. @param file the file */
         public function ObjReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            data = ModelData.forFile(file.name, upAxis, scaling);
+            super(ModelData.forFile(file.name, upAxis, scaling));
             var text:String = file.requireText();
             refuseModelIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
             refuseModelIf(file.beginsWithTag, file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");

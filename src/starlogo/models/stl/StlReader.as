@@ -4,7 +4,7 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
-    import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
@@ -16,7 +16,7 @@ package starlogo.models.stl
      *
      * @private
      */
-    public final class StlReader extends FormatReader
+    public final class StlReader extends ModelBuilder
     {
         private static const HEADER_LENGTH:int = 84;
         private static const COUNT_AT:int = 80;
@@ -39,7 +39,7 @@ package starlogo.models.stl
          */
         public function StlReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            data = ModelData.forFile(file.name, upAxis, scaling);
+            super(ModelData.forFile(file.name, upAxis, scaling));
             if (file.bytes != null && isBinary(file.bytes))
             {
                 addBinary(file);

@@ -6,7 +6,6 @@ package starlogo.models.loading
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.models.ObjModel;
-    import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.files.ModelFile;
     import support.Collada;
@@ -34,18 +33,17 @@ package starlogo.models.loading
         private static function checkProgress(bytes:ByteArray, text:String):void
         {
             var file:ModelFile = new ModelFile("a", bytes, text);
-            var reader:FormatReader = ModelFormat.newReader(file, "z", "footprint", null);
-            var builder:ModelBuilder = ModelBuilder.reading(reader);
-            var progress:Array = [builder.progress];
+            var reader:ModelBuilder = ModelFormat.newReader(file, "z", "footprint", null);
+            var progress:Array = [reader.progress];
             var isLeft:Boolean = true;
             while (isLeft)
             {
-                isLeft = builder.step();
-                progress.push(builder.progress);
+                isLeft = reader.step();
+                progress.push(reader.progress);
                 assertTrue(reader + ": " + progress, progress[progress.length - 1] >= progress[progress.length - 2]);
             }
             assertEquals(String(reader), 0, progress[0]);
-            assertEquals(String(reader), 1, builder.progress);
+            assertEquals(String(reader), 1, reader.progress);
         }
 
         private static function binaryStl():ByteArray

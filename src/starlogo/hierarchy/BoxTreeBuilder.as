@@ -90,9 +90,7 @@ package starlogo.hierarchy
 
         private function beginRoot():void
         {
-            _tree.measureRadiusAboutOrigin(_partition.allExtents);
-            _tree.beginNodes();
-            _tree.enclose(0, _partition.allExtents);
+            _partition.makeRoot();
             _waiting.push(0);
         }
 
@@ -134,13 +132,7 @@ package starlogo.hierarchy
             {
                 return false;
             }
-            var axis:int = longestAxisOf(node);
-            var doubledSplit:Number = 2 * _tree.boxes[6 * node + axis];
-            if (_splitByMean && !isLeafOrBelow(node))
-            {
-                doubledSplit = _partition.doubledMeanOf(_tree.firstPrimitive[node], _tree.endPrimitive[node], axis);
-            }
-            _partition.beginDivision(_tree.firstPrimitive[node], _tree.endPrimitive[node], axis, doubledSplit);
+            _partition.begin(node, _splitByMean && !isLeafOrBelow(node));
             return true;
         }
 
@@ -157,38 +149,24 @@ package starlogo.hierarchy
                 && _tree.countVertices(node, _maxLeafVertices) > _maxLeafVertices;
         }
 
-        // The axis along which the box of a node is longest: 0, 1 or 2.
-        private function longestAxisOf(node:int):int
-        {
-            var halfX:Number = _tree.boxes[6 * node + 3];
-            var halfY:Number = _tree.boxes[6 * node + 4];
-            var halfZ:Number = _tree.boxes[6 * node + 5];
-            if (halfX >= halfY && halfX >= halfZ)
-            {
-                return 0;
-            }
-            return halfY >= halfZ ? 1 : 2;
-        }
-
         // Continues with a node. Returns whether more remains to do.
         private function advance(node:int):Boolean
         {
             if (isLeafOrBelow(node) && isHalvedOnLevel(_tree.levelOf(node)))
             {
-                halve(node);
+                _partition.halve();
                 return false;
             }
             if (_partition.divideSome(PRIMITIVES_PER_STEP))
             {
                 return true;
             }
-            var splitIndex:int = _partition.splitIndex;
-            if (splitIndex > _tree.firstPrimitive[node] && splitIndex < _tree.endPrimitive[node])
+            if (!_partition.isOneSided)
             {
-                makeChildren(node);
+                _partition.makeChildren(isLeafOrBelow(node));
                 return false;
             }
-            if (_partition.beginWhereCentresSpread(_tree.firstPrimitive[node], _tree.endPrimitive[node]))
+            if (_partition.beginWhereCentresSpread())
             {
                 return true;
             }
@@ -196,24 +174,9 @@ package starlogo.hierarchy
             _leafLevel = Math.min(_leafLevel, _tree.levelOf(node));
             if (isLarge(_tree, node))
             {
-                halve(node);
+                _partition.halve();
             }
             return false;
-        }
-
-        // Divides a node by the number of its primitives.
-        private function halve(node:int):void
-        {
-            _partition.halve(_tree.firstPrimitive[node], _tree.endPrimitive[node], longestAxisOf(node));
-            makeChildren(node);
-        }
-
-        // Makes the children of a node, whose primitives are divided.
-        private function makeChildren(node:int):void
-        {
-            var child:int = _tree.addChildren(node, _partition.axis, _partition.splitIndex, isLeafOrBelow(node));
-            _tree.enclose(child, _partition.leftExtents);
-            _tree.enclose(child + 1, _partition.rightExtents);
         }
     }
 }

@@ -7,9 +7,9 @@ package starlogo.solid
     import starlogo.intersection.boxes.BoxPair;
 
     /**
-     * Visits pairs of nodes of two trees, depth-first (thesis §4.6). A node's box encloses its children's boxes. So a pair of which the boxes rule out an
-     * answer is skipped, with all below it. Otherwise the larger node is divided. If the boxes of leaves are tested and the two nodes overlap deeply, both are,
-     * as in §6.3.4 of the thesis. The child nearer to the other node is visited first.
+     * Visits pairs of nodes of two trees, depth-first (thesis §4.6). A node's box encloses its children's boxes. So if the boxes of a pair rule out an
+     * answer, the pair is skipped with all below it. Otherwise the larger node is divided. If the boxes of leaves are tested and two nodes overlap deeply,
+     * both are divided, as in §6.3.4 of the thesis. The child nearer to the other node is visited first.
      *
      * <p>Each question has a subclass, which keeps the best answer so far: whether two standing trees overlap, when two moving trees first touch, how far
      * two trees are apart. This is branch and bound (Larsen, Gottschalk, Lin and Manocha, "Fast proximity queries with swept sphere volumes", 1999).</p>
@@ -77,7 +77,7 @@ package starlogo.solid
         /**
          * Whether the boxes of two nodes leave an answer possible that is better than the best so far.
          *
-         * @param pair the boxes. Afterwards they may be larger or moved: where the subclass wants to know which children are near each other
+         * @param pair the boxes. The subclass may enlarge them, or move b's. Where they are afterwards decides which children are near each other
          * @param areTested whether the boxes are those of leaves whose boxes decide
          */
         protected function isPossible(trees:TreePair, pair:BoxPair, areTested:Boolean):Boolean
@@ -99,8 +99,8 @@ package starlogo.solid
         private function pushChildren(trees:TreePair, pair:BoxPair, a:int, isLeafA:Boolean, b:int, isLeafB:Boolean, dividesBoth:Boolean, top:int):int
         {
             var nodes:Vector.<int> = _nodes;
-            var dividesA:Boolean = dividesBoth ? !isLeafA : trees.dividesA(a, isLeafA, b, isLeafB);
-            var dividesB:Boolean = dividesBoth ? !isLeafB : !dividesA;
+            var dividesA:Boolean = !isLeafA && (dividesBoth || isLeafB || isALarger(pair));
+            var dividesB:Boolean = !isLeafB && (dividesBoth || !dividesA);
             var nearer:int;
             if (dividesA)
             {
@@ -122,6 +122,13 @@ package starlogo.solid
             nodes[top] = a;
             nodes[top + 1] = b;
             return top + 2;
+        }
+
+        // Whether a's box is at least as large as b's, by the spheres around them.
+        private static function isALarger(pair:BoxPair):Boolean
+        {
+            return pair.aHalfX * pair.aHalfX + pair.aHalfY * pair.aHalfY + pair.aHalfZ * pair.aHalfZ
+                >= pair.bHalfX * pair.bHalfX + pair.bHalfY * pair.bHalfY + pair.bHalfZ * pair.bHalfZ;
         }
 
         // Whether the middle of b's box is so near to a's box that all of b's own axes overlap.

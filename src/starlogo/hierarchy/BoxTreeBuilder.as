@@ -44,7 +44,7 @@ package starlogo.hierarchy
         private var _partition:TreePartition;
 
         // The nodes still to visit, the next one last. Those below a node come before those beside it.
-        private var _waiting:Vector.<int> = new Vector.<int>();
+        private var _waiting:Vector.<int> = new <int>[0];
 
         // The level of the leaf that is visited, or below which nodes are visited; int.MAX_VALUE above the leaves.
         private var _leafLevel:int = int.MAX_VALUE;
@@ -85,13 +85,7 @@ package starlogo.hierarchy
         private function takePrimitives():void
         {
             _partition = new TreePartition(_tree);
-            slices(_tree.primitiveCount, PRIMITIVES_PER_STEP, _partition.measure).call(beginRoot).repeat(visitSome).call(_tree.completeNodes);
-        }
-
-        private function beginRoot():void
-        {
-            _partition.makeRoot();
-            _waiting.push(0);
+            slices(_tree.primitiveCount, PRIMITIVES_PER_STEP, _partition.measure).call(_partition.makeRoot).repeat(visitSome).call(_tree.completeNodes);
         }
 
         private function visitSome():Boolean
@@ -102,23 +96,18 @@ package starlogo.hierarchy
                 var node:int = _waiting[_waiting.length - 1];
                 rest -= _isDividing ? _tree.endPrimitive[node] - _tree.firstPrimitive[node] : PRIMITIVES_PER_NODE;
                 _isDividing = _isDividing ? advance(node) : beginNode(node);
-                if (!_isDividing)
+                if (_isDividing)
                 {
-                    goOnFrom(node);
+                    continue;
+                }
+                _waiting.pop();
+                var child:int = _tree.left[node];
+                if (child > 0)
+                {
+                    _waiting.push(child + 1, child);
                 }
             }
             return _waiting.length > 0;
-        }
-
-        // Goes on to the children of a node, or to the next node if it has none.
-        private function goOnFrom(node:int):void
-        {
-            var child:int = _tree.left[node];
-            _waiting.pop();
-            if (child > 0)
-            {
-                _waiting.push(child + 1, child);
-            }
         }
 
         // Begins with a node. Returns whether it is to be divided.

@@ -71,8 +71,17 @@ package starlogo.hierarchy
         {
             _node = node;
             _axis = longestAxis;
-            _doubledSplit = atMean ? doubledMean : 2 * _tree.boxes[6 * node + _axis];
             beginGroups();
+            _doubledSplit = 2 * _tree.boxes[6 * node + _axis];
+            if (atMean)
+            {
+                var sum:Number = 0;
+                for (var i:int = _splitIndex; i <= _last; i++)
+                {
+                    sum += doubledCentreOf(_tree.primitives[i], _axis);
+                }
+                _doubledSplit = sum / (_last + 1 - _splitIndex);
+            }
         }
 
         /**
@@ -84,12 +93,13 @@ package starlogo.hierarchy
         {
             var width:Number = 0;
             var lowest:Number = 0;
+            beginGroups();
             for (var along:int = 0; along < 3; along++)
             {
                 // twice the smallest and the largest centre
                 var least:Number = Infinity;
                 var largest:Number = -Infinity;
-                for (var i:int = _tree.firstPrimitive[_node]; i < _tree.endPrimitive[_node]; i++)
+                for (var i:int = _splitIndex; i <= _last; i++)
                 {
                     var sum:Number = doubledCentreOf(_tree.primitives[i], along);
                     least = sum < least ? sum : least;
@@ -103,7 +113,6 @@ package starlogo.hierarchy
                     _doubledSplit = least + 0.5 * width;
                 }
             }
-            beginGroups();
             return width > 0 && _doubledSplit > lowest;
         }
 
@@ -168,13 +177,12 @@ package starlogo.hierarchy
          */
         public function halve():void
         {
-            var first:int = _tree.firstPrimitive[_node];
-            var end:int = _tree.endPrimitive[_node];
             beginGroups();
+            var first:int = _splitIndex;
             _axis = longestAxis;
-            _splitIndex = (first + end) >> 1;
+            _splitIndex = (first + _last + 1) >> 1;
             extend(_leftExtents, first, _splitIndex);
-            extend(_rightExtents, _splitIndex, end);
+            extend(_rightExtents, _splitIndex, _last + 1);
             makeChildren(true);
         }
 
@@ -197,19 +205,6 @@ package starlogo.hierarchy
                 return 0;
             }
             return halfY >= halfZ ? 1 : 2;
-        }
-
-        // Twice the mean of the centres along the axis.
-        private function get doubledMean():Number
-        {
-            var first:int = _tree.firstPrimitive[_node];
-            var end:int = _tree.endPrimitive[_node];
-            var sum:Number = 0;
-            for (var i:int = first; i < end; i++)
-            {
-                sum += doubledCentreOf(_tree.primitives[i], _axis);
-            }
-            return sum / (end - first);
         }
 
         // Twice the centre of a primitive's extents along an axis.

@@ -72,7 +72,7 @@ package starlogo.solid
             _kernel.findContact(_cornersOfA, motion, out);
             Placement.invert(placement, _inverse.placement);
             plane.setTriangle(_cornersOfA, 0);
-            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(trees.b, _inverse.placement, trees.triangleMargin, motion, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(trees, trees.b, _inverse.placement, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -80,16 +80,16 @@ package starlogo.solid
             plane.setTriangle(_cornersOfB, 0);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
-            if (plane.isHitFromFront(_kernel.shape, cullDistance, _reversed, out) && !hasTriangleBehind(trees.a, Placement.IDENTITY, trees.triangleMargin, RelativeMotion.NONE, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, _reversed, out) && !hasTriangleBehind(trees, trees.a, Placement.IDENTITY, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
         }
 
-        // Whether a tree has a triangle at a contact that is, at least in part, behind the plane. The placement moves the probe into the tree's space.
-        private function hasTriangleBehind(tree:BoxTree, placement:Placement, triangleMargin:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        // Whether one of the trees has a triangle at a contact that is, at least in part, behind the plane. The placement moves the probe into that tree's space.
+        private function hasTriangleBehind(trees:TreePair, tree:BoxTree, placement:Placement, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
-            var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * triangleMargin;
+            var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * trees.triangleMargin;
             var normal:Vector3D = _plane.normal;
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;

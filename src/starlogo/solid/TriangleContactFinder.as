@@ -86,7 +86,7 @@ package starlogo.solid
             }
         }
 
-        // Whether one of the trees has a triangle at a contact that is, at least in part, behind the plane. The placement moves the probe into that tree's space.
+        // Whether one of the trees has a triangle at a contact, at least in part behind the plane. The placement moves the probe into that tree's space.
         private function hasTriangleBehind(trees:TreePair, tree:BoxTree, placement:Placement, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * trees.triangleMargin;

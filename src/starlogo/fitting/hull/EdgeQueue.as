@@ -10,6 +10,9 @@ package starlogo.fitting.hull
         private var _edges:Vector.<int> = new Vector.<int>();
         private var _costs:Vector.<Number> = new Vector.<Number>();
 
+        // By edge: 1 if it is in the queue, otherwise 0. Edges beyond the end are not in it.
+        private var _isQueued:Vector.<int> = new Vector.<int>();
+
         /** Whether there are no edges. */
         public function get isEmpty():Boolean
         {
@@ -22,10 +25,21 @@ package starlogo.fitting.hull
             return isEmpty ? Infinity : _costs[0];
         }
 
-        /** Adds an edge. It may be in the queue already. */
+        /** Whether an edge is in the queue. */
+        public function has(edge:int):Boolean
+        {
+            return edge < _isQueued.length && _isQueued[edge] == 1;
+        }
+
+        /** Adds an edge, which is not in the queue. */
         public function push(edge:int, cost:Number):void
         {
             var at:int = _edges.length;
+            if (edge >= _isQueued.length)
+            {
+                _isQueued.length = 2 * edge + 1;
+            }
+            _isQueued[edge] = 1;
             _edges[at] = edge;
             _costs[at] = cost;
             while (at > 0)
@@ -47,6 +61,7 @@ package starlogo.fitting.hull
         public function pop():int
         {
             var first:int = _edges[0];
+            _isQueued[first] = 0;
             var edge:int = _edges.pop();
             var count:int = _edges.length;
             var cost:Number = _costs[count];

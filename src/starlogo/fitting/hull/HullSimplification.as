@@ -89,15 +89,11 @@ package starlogo.fitting.hull
 
         private function queueingAll():Steps
         {
-            _queue = new EdgeQueue();
             return new StepSequence().slices(_solid.faceCount, FACES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var edge:int = 3 * first; edge < 3 * end; edge++)
                     {
-                        if (edge < _solid.acrossOf(edge))
-                        {
-                            queueEdge(edge);
-                        }
+                        queueEdge(edge);
                     }
                 });
         }
@@ -143,7 +139,7 @@ package starlogo.fitting.hull
         private function collapseFirst():int
         {
             var edge:int = _solid.currentEdge(_queue.pop());
-            if (edge < 0 || !_solid.findCollapse(edge, _collapse))
+            if (edge < 0 || isQueued(edge) || !_solid.findCollapse(edge, _collapse))
             {
                 return -1;
             }
@@ -155,14 +151,20 @@ package starlogo.fitting.hull
             return _solid.collapse(_collapse);
         }
 
-        // Queues an edge if it can collapse.
+        // Queues an edge if it can collapse, unless it is queued already.
         private function queueEdge(edge:int):void
         {
-            var mayCollapse:Boolean = _solid.isOnSurface(edge) && !isTip(_solid.startOf(edge)) && !isTip(_solid.endOf(edge));
+            var mayCollapse:Boolean = _solid.isOnSurface(edge) && !isQueued(edge) && !isTip(_solid.startOf(edge)) && !isTip(_solid.endOf(edge));
             if (mayCollapse && _solid.findCollapse(edge, _collapse))
             {
                 _queue.push(edge, _collapse.growth);
             }
+        }
+
+        // Whether an edge is queued, or the edge that runs the other way.
+        private function isQueued(edge:int):Boolean
+        {
+            return _queue.has(edge) || _queue.has(_solid.acrossOf(edge));
         }
 
         private function isTip(corner:int):Boolean

@@ -101,16 +101,24 @@ package starlogo.solid.interior
         // Gathers the edges of each lower vertex.
         private function listByLowVertex(first:int, end:int):void
         {
-            for (var triangle:int = first; triangle < end; triangle++)
+            for (var edge:int = 3 * first; edge < 3 * end; edge += 3)
             {
-                var edgesEnd:int = hasEdges(triangle) ? 3 * triangle + 3 : 0;
-                for (var edge:int = 3 * triangle; edge < edgesEnd; edge++)
+                var a:int = beginOf(edge);
+                var b:int = beginOf(edge + 1);
+                var c:int = beginOf(edge + 2);
+                if (a != b && b != c && c != a)
                 {
-                    var low:int = lowOf(edge);
-                    _beforeOfLow[edge] = _lastOfLow[low];
-                    _lastOfLow[low] = edge + 1;
+                    gatherAt(a < b ? a : b, edge);
+                    gatherAt(b < c ? b : c, edge + 1);
+                    gatherAt(c < a ? c : a, edge + 2);
                 }
             }
+        }
+
+        private function gatherAt(low:int, edge:int):void
+        {
+            _beforeOfLow[edge] = _lastOfLow[low];
+            _lastOfLow[low] = edge + 1;
         }
 
         // Links the edges between the same vertices, those of each lower vertex from the last one to the first. Two are matched. If there are more,

@@ -17,11 +17,12 @@ package starlogo.solid
      * To outweigh the rounding of long distances, a measured distance is reduced a little. The deeper the nodes are, the less it is
      * reduced.</p>
      */
-    internal final class DistanceTraversal extends PairTraversal
+    internal final class DistanceTraversal extends BestPairTraversal
     {
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
+        // The rotation of tree b, and the pair that is estimated.
         private var _pair:BoxPair = new BoxPair();
 
         // The radii of the spheres about both origins that contain the trees, together. The rounding error is relative to it.
@@ -49,22 +50,23 @@ package starlogo.solid
             _pair.setRotation(trees.pose.placement);
             _nearest = out;
             out.distance = Infinity;
-            visitPairs(trees, _pair, kernel);
+            visitPairs(trees, kernel);
         }
 
-        /** Three lower bounds of the distance decide: along a's axes, along b's axes, and along the line between the closest points so far. @inheritDoc */
-        override protected function isPossible(trees:TreePair, pair:BoxPair, areTested:Boolean):Boolean
+        /**
+         * @inheritDoc
+         *
+         * <p>The bound is the greatest of three: the distance along a's axes, along b's axes, and along the line between the closest points so far. A
+         * pair that is too far away along a's axes need not be estimated exactly.</p>
+         */
+        override protected function estimate(trees:TreePair, a:int, b:int):void
         {
+            var pair:BoxPair = _pair;
+            trees.readBoxes(a, b, pair);
             // measure() widens b's boxes as well
             pair.bHalfX += trees.pose.margin;
             pair.bHalfY += trees.pose.margin;
             pair.bHalfZ += trees.pose.margin;
-            return isNearAlongAxesOfA(pair) && isNearAlongAxesOfB(pair) && isNearAlongLine(pair);
-        }
-
-        // Whether the distance of two boxes along the axes of a's is less than that of the best pair so far.
-        private function isNearAlongAxesOfA(pair:BoxPair):Boolean
-        {
             var distance:Number = pair.offsetX < 0 ? -pair.offsetX : pair.offsetX;
             distance -= pair.aHalfX + pair.abs00 * pair.bHalfX + pair.abs01 * pair.bHalfY + pair.abs02 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
@@ -77,11 +79,22 @@ package starlogo.solid
             distance -= pair.aHalfZ + pair.abs20 * pair.bHalfX + pair.abs21 * pair.bHalfY + pair.abs22 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            return isLess(Math.sqrt(squared));
+            var far:Number = limit + 2 * SLACK * (limit + _radii);
+            if (squared > far * far)
+            {
+                bound = limit;
+                return;
+            }
+            raiseBound(Math.sqrt(squared));
+            estimateAlongAxesOfB(pair);
+            if (_nearest.distance < Infinity)
+            {
+                estimateAlongLine(pair);
+            }
         }
 
-        // The same along the axes of b's.
-        private function isNearAlongAxesOfB(pair:BoxPair):Boolean
+        // Raises the bound to the distance of two boxes along the axes of b's.
+        private function estimateAlongAxesOfB(pair:BoxPair):void
         {
             var rotation:Placement = pair.rotation;
             var distance:Number = rotation.r00 * pair.offsetX + rotation.r10 * pair.offsetY + rotation.r20 * pair.offsetZ;
@@ -99,11 +112,12 @@ package starlogo.solid
             distance -= pair.abs02 * pair.aHalfX + pair.abs12 * pair.aHalfY + pair.abs22 * pair.aHalfZ + pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            return isLess(Math.sqrt(squared));
+            raiseBound(Math.sqrt(squared));
         }
 
-        // The same along the line between the closest points so far. It rules out most of the pairs that are not nearer.
-        private function isNearAlongLine(pair:BoxPair):Boolean
+        // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
+        // nearer.
+        private function estimateAlongLine(pair:BoxPair):void
         {
             var rotation:Placement = pair.rotation;
             var points:ClosestPoints = _nearest;
@@ -113,7 +127,7 @@ package starlogo.solid
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             if (!(length > 0))
             {
-                return true;
+                return;
             }
             var alongX:Number = toX * rotation.r00 + toY * rotation.r10 + toZ * rotation.r20;
             var alongY:Number = toX * rotation.r01 + toY * rotation.r11 + toZ * rotation.r21;
@@ -126,34 +140,36 @@ package starlogo.solid
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            return isLess((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length);
+            raiseBound((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length);
         }
 
-        // Whether a lower bound of the distance, less its rounding error, is less than the distance of the best pair so far.
-        private function isLess(distance:Number):Boolean
+        // Raises the bound to a computed distance, less its rounding error.
+        private function raiseBound(distance:Number):void
         {
-            return distance - SLACK * (distance + _radii) < _nearest.distance;
+            var raised:Number = distance - SLACK * (distance + _radii);
+            if (raised > bound)
+            {
+                bound = raised;
+            }
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):Boolean
+        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
             if (trees.isExact)
             {
                 kernel.findCloser(a, b, _nearest);
+                limit = _nearest.distance;
+                return;
             }
-            else
+            var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));
+            StructurePairs.findClosest(trees.a.boxOf(a), placedB, _measured);
+            subtractNesting(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
+            if (_measured.distance < limit)
             {
-                var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));
-                StructurePairs.findClosest(trees.a.boxOf(a), placedB, _measured);
-                subtractNesting(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
-                if (_measured.distance < _nearest.distance)
-                {
-                    _nearest.copyFrom(_measured);
-                }
+                limit = _measured.distance;
+                _nearest.copyFrom(_measured);
             }
-            // nothing is nearer than 0
-            return !(_nearest.distance > 0);
         }
 
         /**

@@ -11,13 +11,12 @@ package starlogo.solid
      * Finds when two moving trees first touch, as RelativeMotion says. Parents touch no later than their children. The axes of the edges are
      * tried only for pairs of leaves.
      */
-    internal final class ImpactTraversal extends PairTraversal
+    internal final class ImpactTraversal extends BestPairTraversal
     {
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPair = new BoxPair();
 
-        // The motion. Once a touch is found, it ends there: at most Tolerances.SAME_TIME later, because a pair of triangles that touches by then may still
-        // count as the first.
+        // The motion, up to the best time so far.
         private var _motion:RelativeMotion;
 
         // Receives the first touch.
@@ -45,48 +44,53 @@ package starlogo.solid
             out.reset();
             _pair.margin = trees.pose.margin + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            visitPairs(trees, _pair, kernel);
+            visitPairs(trees, kernel);
             motion.time = out.time;
         }
 
-        /** Moves the boxes to where no face separates them. @inheritDoc */
-        override protected function isPossible(trees:TreePair, pair:BoxPair, areTested:Boolean):Boolean
+        /**
+         * @inheritDoc
+         *
+         * <p>The bound is the first time at which no face separates the boxes.</p>
+         */
+        override protected function estimate(trees:TreePair, a:int, b:int):void
         {
-            var motion:RelativeMotion = _motion;
-            if (areTested)
-            {
-                _sweep.findTimeOfImpact(pair, motion);
-            }
-            else
-            {
-                _sweep.findEarliestTime(pair, motion);
-            }
-            if (!(motion.time < motion.latestTime) && (_first.time != RelativeMotion.NEVER || motion.time == RelativeMotion.NEVER))
-            {
-                return false;
-            }
-            pair.offsetX += motion.time * motion.x;
-            pair.offsetY += motion.time * motion.y;
-            pair.offsetZ += motion.time * motion.z;
-            return true;
+            beginPair(trees, a, b);
+            _sweep.findEarliestTime(_pair, _motion);
+            bound = _motion.time;
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):Boolean
+        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):void
         {
             if (trees.isExact)
             {
                 kernel.findEarlier(a, b, _first);
+                if (_first.time != RelativeMotion.NEVER)
+                {
+                    // up to Tolerances.SAME_TIME later than the first time: a pair that touches by then may still count as the first
+                    limit = _motion.latestTime;
+                }
+                return;
             }
-            else
+            beginPair(trees, a, b);
+            _sweep.findTimeOfImpact(_pair, _motion);
+            if (_motion.time < limit)
             {
-                // the time of the pair that was possible
-                _first.time = _motion.latestTime = _motion.time;
+                limit = _first.time = _motion.time;
                 _first.a = a;
                 _first.b = b;
             }
-            // nothing touches earlier than at the beginning
-            return !(_first.time > 0);
+        }
+
+        // Reads the boxes of two nodes, and ends their motion at the best time so far.
+        private function beginPair(trees:TreePair, a:int, b:int):void
+        {
+            trees.readBoxes(a, b, _pair);
+            if (limit < _motion.latestTime)
+            {
+                _motion.latestTime = limit;
+            }
         }
     }
 }

@@ -1,22 +1,27 @@
 package starlogo.solid
 {
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.boxes.BoxPair;
     import starlogo.intersection.boxes.BoxSeparation;
 
     /**
-     * Decides whether two standing trees overlap.
+     * Decides whether two standing trees overlap. It is like BestPairTraversal, but without bounds, because each pair overlaps
+     * or not.
      *
-     * <p>In the space of tree a, its own boxes are axis-aligned, and all boxes of tree b have the same rotation. So a pair of boxes takes a few products
-     * (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1).</p>
+     * <p>In the space of tree a, its own boxes are axis-aligned, and all boxes of tree b have the same rotation. So a pair of boxes
+     * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
+     * two nodes overlap, the larger one is divided. If the boxes of leaves are tested and the overlap is deep, both are, as in §6.3.4 of the thesis. The
+     * child nearer to the other node is visited first.</p>
      *
      * <p>The axes of the edges are tried only for pairs of leaves whose boxes are tested. Higher up, the next boxes separate most of what these axes would
      * separate (van den Bergen, "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
      *
      * @private
      */
-    public final class OverlapTraversal extends PairTraversal
+    public final class OverlapTraversal
     {
         /** Result of <code>find()</code>: the roots are apart. */
         public static const APART:int = 0;
@@ -27,15 +32,19 @@ package starlogo.solid
         /** Result of <code>find()</code>: two leaves touch. */
         public static const OVERLAPPING:int = 2;
 
-        // The absolute values of its rotation are larger by a rounding error, because cross products of nearly parallel edges cancel.
+        // The pairs of nodes still to visit. The next one is last.
+        private var _nodes:Vector.<int> = new Vector.<int>();
+
+        // The rotation of tree b. Its absolute values are larger by a rounding error, because cross products of nearly parallel edges
+        // cancel. And the vector from the middle of a's node to the middle of b's, of the last pair that was tested.
         private var _pair:BoxPair = new BoxPair();
 
-        private var _isFound:Boolean = false;
+        private var _counts:TreeCounts;
 
         /** @param counts counts the pairs of nodes that are visited */
         public function OverlapTraversal(counts:TreeCounts)
         {
-            super(counts);
+            _counts = counts;
         }
 
         /**
@@ -46,28 +55,118 @@ package starlogo.solid
          */
         public function find(trees:TreePair, kernel:TrianglePairKernel):int
         {
-            _pair.setRotation(trees.pose.placement, Tolerances.ROUNDING);
-            _isFound = false;
-            var areRootsMet:Boolean = visitPairs(trees, _pair, kernel);
-            return _isFound ? OVERLAPPING : (areRootsMet ? ONLY_ROOTS : APART);
-        }
-
-        /** @inheritDoc */
-        override protected function isPossible(trees:TreePair, pair:BoxPair, areTested:Boolean):Boolean
-        {
+            var pair:BoxPair = _pair;
+            var isExact:Boolean = trees.isExact;
             var margin:Number = trees.pose.margin;
-            pair.aHalfX += margin;
-            pair.aHalfY += margin;
-            pair.aHalfZ += margin;
-            return BoxSeparation.overlapAlongFacesOfA(pair) && BoxSeparation.overlapAlongFacesOfB(pair)
-                && (!areTested || BoxSeparation.overlapAcrossEdges(pair));
+            var leafDepthsA:Vector.<int> = trees.a.leafUpToDepth;
+            var leafDepthsB:Vector.<int> = trees.b.leafUpToDepth;
+            var depthA:int = trees.depthA;
+            var depthB:int = trees.depthB;
+            var nodes:Vector.<int> = _nodes;
+            var result:int = APART;
+            var visits:int = 0;
+            var top:int = 2;
+            pair.setRotation(trees.pose.placement, Tolerances.ROUNDING);
+            nodes[0] = 0;
+            nodes[1] = 0;
+            while (top > 0 && result != OVERLAPPING)
+            {
+                top -= 2;
+                var a:int = nodes[top];
+                var b:int = nodes[top + 1];
+                visits++;
+                trees.readBoxes(a, b, pair);
+                pair.aHalfX += margin;
+                pair.aHalfY += margin;
+                pair.aHalfZ += margin;
+                var isLeafA:Boolean = leafDepthsA[a] >= depthA;
+                var isLeafB:Boolean = leafDepthsB[b] >= depthB;
+                var areBoxesTested:Boolean = isLeafA && isLeafB && !isExact;
+                if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair)
+                        || areBoxesTested && !BoxSeparation.overlapAcrossEdges(pair))
+                {
+                    continue;
+                }
+                result = ONLY_ROOTS;
+                if (!isLeafA || !isLeafB)
+                {
+                    top = pushChildren(trees, a, isLeafA, b, isLeafB, !isExact && isDeep(pair), top);
+                }
+                else if (areBoxesTested || kernel.areTouching(a, b))
+                {
+                    result = OVERLAPPING;
+                }
+            }
+            _counts.nodeVisits += visits;
+            return result;
         }
 
-        /** @inheritDoc */
-        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel):Boolean
+        // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
+        private function pushChildren(trees:TreePair, a:int, isLeafA:Boolean, b:int, isLeafB:Boolean, dividesBoth:Boolean, top:int):int
         {
-            _isFound = !trees.isExact || kernel.areTouching(a, b);
-            return _isFound;
+            var nodes:Vector.<int> = _nodes;
+            var dividesA:Boolean = dividesBoth ? !isLeafA : trees.dividesA(a, isLeafA, b, isLeafB);
+            var dividesB:Boolean = dividesBoth ? !isLeafB : !dividesA;
+            var nearer:int;
+            if (dividesA)
+            {
+                nearer = nearerChildOfA(_pair, trees.a, a);
+                // the other child: the numbers of both add up to 2 * left + 1
+                nodes[top] = 2 * trees.a.left[a] + 1 - nearer;
+                nodes[top + 1] = b;
+                top += 2;
+                a = nearer;
+            }
+            if (dividesB)
+            {
+                nearer = nearerChildOfB(_pair, trees.pose.placement, trees.b, b);
+                nodes[top] = a;
+                nodes[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
+                top += 2;
+                b = nearer;
+            }
+            nodes[top] = a;
+            nodes[top + 1] = b;
+            return top + 2;
+        }
+
+        // Whether the middle of b's box is so near to a's box that all of b's own axes overlap.
+        private static function isDeep(pair:BoxPair):Boolean
+        {
+            var x:Number = pair.offsetX;
+            var y:Number = pair.offsetY;
+            var z:Number = pair.offsetZ;
+            var halfX:Number = pair.aHalfX;
+            var halfY:Number = pair.aHalfY;
+            var halfZ:Number = pair.aHalfZ;
+            include "../geometry/squaredToBox.inc";
+            var least:Number = pair.bHalfX < pair.bHalfY ? pair.bHalfX : pair.bHalfY;
+            least = pair.bHalfZ < least ? pair.bHalfZ : least;
+            return squaredDistance <= least * least;
+        }
+
+        // Returns the child of a node of tree a that is nearer to b's node.
+        private static function nearerChildOfA(pair:BoxPair, tree:BoxTree, node:int):int
+        {
+            var axis:int = tree.axisOf(node);
+            var along:Number = axis == 0 ? pair.offsetX : (axis == 1 ? pair.offsetY : pair.offsetZ);
+            return along > 0 ? tree.left[node] + 1 : tree.left[node];
+        }
+
+        // Returns the child of a node of tree b that is nearer to a's node.
+        private static function nearerChildOfB(pair:BoxPair, rotation:Placement, tree:BoxTree, node:int):int
+        {
+            var axis:int = tree.axisOf(node);
+            var along:Number = rotation.r02 * pair.offsetX + rotation.r12 * pair.offsetY + rotation.r22 * pair.offsetZ;
+            if (axis == 0)
+            {
+                along = rotation.r00 * pair.offsetX + rotation.r10 * pair.offsetY + rotation.r20 * pair.offsetZ;
+            }
+            else if (axis == 1)
+            {
+                along = rotation.r01 * pair.offsetX + rotation.r11 * pair.offsetY + rotation.r21 * pair.offsetZ;
+            }
+            return along < 0 ? tree.left[node] + 1 : tree.left[node];
         }
     }
 }

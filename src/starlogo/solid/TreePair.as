@@ -73,5 +73,28 @@ package starlogo.solid
         {
             return 2 * triangleMargin + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }
+
+        /**
+         * Of two nodes that are not both leaves, says which to divide: the one that is none, or else the larger one, by the spheres around their boxes.
+         *
+         * @return whether it is the node of a
+         */
+        public function dividesA(nodeA:int, isLeafA:Boolean, nodeB:int, isLeafB:Boolean):Boolean
+        {
+            if (isLeafA || isLeafB)
+            {
+                return isLeafB;
+            }
+            var boxesA:Vector.<Number> = a.boxes;
+            var boxesB:Vector.<Number> = b.boxes;
+            var scale:Number = pose.placement.size;
+            var aX:Number = boxesA[int(6 * nodeA + 3)];
+            var aY:Number = boxesA[int(6 * nodeA + 4)];
+            var aZ:Number = boxesA[int(6 * nodeA + 5)];
+            var bX:Number = boxesB[int(6 * nodeB + 3)];
+            var bY:Number = boxesB[int(6 * nodeB + 4)];
+            var bZ:Number = boxesB[int(6 * nodeB + 5)];
+            return aX * aX + aY * aY + aZ * aZ >= scale * scale * (bX * bX + bY * bY + bZ * bZ);
+        }
     }
 }

@@ -96,6 +96,7 @@ package starlogo.solid
         {
             var first:int = _trees.a.firstPrimitive[a];
             var end:int = _trees.a.endPrimitive[a];
+            // Higher indices come first, as the traversal visits the right child first if both bounds are equal.
             for (var i:int = placeTriangles(b) - 1; i >= 0 && impact.time > 0; i--)
             {
                 setTriangleOfB(i);

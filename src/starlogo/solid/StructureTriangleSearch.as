@@ -27,8 +27,10 @@ package starlogo.solid
         private var _kernel:TriangleKernel;
         private var _counts:TreeCounts;
 
-        // The extents near which a triangle is tested, minX, maxX, minY, ...: of the moving structure's core until the latest time at the beginning of the
-        // search, or of the structure whose nearest triangle is sought. The core of a round structure is a point or a segment.
+        // The extents of the moving structure's core at time 0: minX, maxX, minY, ... The core of a round structure is a point or a segment.
+        private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        // The extents near which a triangle is tested: of the core on its motion until the latest time, or of the structure whose nearest triangle is sought.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // Separates most triangles from the moving structure.
@@ -78,7 +80,7 @@ package starlogo.solid
 
         private function beginSweep(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            var extents:Vector.<Number> = _extents;
+            var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
             _first.reset();
             structure.extentsInto(extents);
@@ -92,18 +94,25 @@ package starlogo.solid
             }
             _plane.cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
             _separatingAxes.setTo(shape, _plane.cullDistance, motion);
+            sweepExtents(motion);
             _search.setExtents(extents, _plane.cullDistance);
             _search.beginMet(tree, BoxTree.EXACT, motion);
+        }
+
+        private function sweepExtents(motion:RelativeMotion):void
+        {
             sweepAlong(0, motion.latestTime * motion.x);
             sweepAlong(2, motion.latestTime * motion.y);
             sweepAlong(4, motion.latestTime * motion.z);
         }
 
-        // Enlarges the extents along an axis, which begin at an index, by the travel along it.
+        // Writes the extents along an axis, which begin at an index, of the core and of its travel along that axis.
         private function sweepAlong(at:int, travel:Number):void
         {
-            _extents[at] += travel < 0 ? travel : 0;
-            _extents[int(at + 1)] += travel > 0 ? travel : 0;
+            var back:Number = travel < 0 ? travel : 0;
+            var ahead:Number = travel > 0 ? travel : 0;
+            _extents[at] = _coreExtents[at] + back;
+            _extents[int(at + 1)] = _coreExtents[int(at + 1)] + ahead;
         }
 
         // Offers the triangles of a leaf that are touched. The motion ends at the first touch so far, and a little later.
@@ -145,7 +154,11 @@ package starlogo.solid
                 {
                     return;
                 }
-                _search.limit = motion.latestTime;
+                if (motion.latestTime < _search.limit)
+                {
+                    _search.limit = motion.latestTime;
+                    sweepExtents(motion);
+                }
             }
         }
 

@@ -197,9 +197,8 @@ package starlogo.solid
         /** A structure that does not touch the surface is inside if one point of it is. @inheritDoc */
         override internal function findInside(out:ClosestPoints):Boolean
         {
-            // The origin of the shape's points is inside of it. If it is round, a ball around that origin is inside too.
+            // The search has set the shape. The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
             var shape:ConvexShape = _kernel.shape;
-            placed();
             if (!_tree.isInside(shape.origin, shape.radius))
             {
                 return false;

@@ -74,7 +74,7 @@ package starlogo.solid.interior
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             if (knownSurface == null || knownSurface.widestSeam > 0)
             {
-                var welder:VertexWelder = new VertexWelder(tree.vertices);
+                var welder:VertexWelder = new VertexWelder(tree);
                 add(welder).call(function():void
                     {
                         _welded = welder.widestSeam > 0 ? welder.welded : null;

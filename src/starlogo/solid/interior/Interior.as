@@ -41,8 +41,8 @@ package starlogo.solid.interior
         /** Whether at least one shell of the surface is closed, so that it has an inside. Known when no step is left. */
         public var hasClosedShell:Boolean = false;
 
-        // See VertexWelder.welded. Null if all vertices of each seam are at one place.
-        private var _welded:Vector.<int> = null;
+        /** See <code>VertexWelder.welded</code>. Null if all vertices of each seam are at one place. */
+        public var welded:Vector.<int> = null;
 
         // How often each shell winds around the point of the last countWindings(), or 0 if a cavity of it does. Null before that.
         private var _windings:Vector.<int> = null;
@@ -77,7 +77,7 @@ package starlogo.solid.interior
                 var welder:VertexWelder = new VertexWelder(tree);
                 add(welder).call(function():void
                     {
-                        _welded = welder.widestSeam > 0 ? welder.welded : null;
+                        welded = welder.widestSeam > 0 ? welder.welded : null;
                     });
             }
             if (knownSurface == null)
@@ -195,12 +195,12 @@ package starlogo.solid.interior
             var q:int = tree.cornerOffsets[int(3 * index + 1)];
             var r:int = tree.cornerOffsets[int(3 * index + 2)];
             var triangle:int = tree.primitives[index];
-            if (_welded != null)
+            if (welded != null)
             {
                 var vertices:Vector.<uint> = tree.triangles;
-                p = 3 * _welded[vertices[3 * triangle]];
-                q = 3 * _welded[vertices[3 * triangle + 1]];
-                r = 3 * _welded[vertices[3 * triangle + 2]];
+                p = 3 * welded[vertices[3 * triangle]];
+                q = 3 * welded[vertices[3 * triangle + 1]];
+                r = 3 * welded[vertices[3 * triangle + 2]];
             }
             var axisB:int = (_axis + 1) % 3;
             var axisC:int = (_axis + 2) % 3;

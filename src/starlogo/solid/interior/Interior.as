@@ -93,6 +93,7 @@ package starlogo.solid.interior
                 });
         }
 
+        // The work that finds the surface, after its vertices are welded.
         private function findingSurface(welder:VertexWelder):Steps
         {
             var interior:Interior = this;

@@ -29,7 +29,6 @@ const COLD = {
 	'starlogo.solid.interior.ClosedShell': 'when a model loads',
 	'starlogo.solid.interior.DisjointSets': 'when a model loads',
 	'starlogo.solid.interior.EdgeMatcher': 'when a model loads',
-	'starlogo.solid.interior.InteriorBuilder': 'when a model loads',
 	'starlogo.solid.interior.ShellFinder': 'when a model loads',
 	'starlogo.solid.interior.ComponentFinder': 'when a model loads',
 	'starlogo.solid.interior.SurfaceTopology': 'when a model loads',

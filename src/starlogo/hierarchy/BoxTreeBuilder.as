@@ -44,7 +44,7 @@ package starlogo.hierarchy
         private var _partition:TreePartition;
 
         // The nodes still to visit, the next one last. Those below a node come before those beside it.
-        private var _waiting:Vector.<int> = new Vector.<int>();
+        private var _waiting:Vector.<int> = new <int>[0];
 
         // The level of the leaf that is visited, or below which nodes are visited; int.MAX_VALUE above the leaves.
         private var _leafLevel:int = int.MAX_VALUE;
@@ -85,15 +85,7 @@ package starlogo.hierarchy
         private function takePrimitives():void
         {
             _partition = new TreePartition(_tree);
-            slices(_tree.primitiveCount, PRIMITIVES_PER_STEP, _partition.measure).call(beginRoot).repeat(visitSome).call(_tree.completeNodes);
-        }
-
-        private function beginRoot():void
-        {
-            _tree.measureRadiusAboutOrigin(_partition.allExtents);
-            _tree.beginNodes();
-            _tree.enclose(0, _partition.allExtents);
-            _waiting.push(0);
+            slices(_tree.primitiveCount, PRIMITIVES_PER_STEP, _partition.measure).call(_partition.makeRoot).repeat(visitSome).call(_tree.completeNodes);
         }
 
         private function visitSome():Boolean
@@ -104,23 +96,18 @@ package starlogo.hierarchy
                 var node:int = _waiting[_waiting.length - 1];
                 rest -= _isDividing ? _tree.endPrimitive[node] - _tree.firstPrimitive[node] : PRIMITIVES_PER_NODE;
                 _isDividing = _isDividing ? advance(node) : beginNode(node);
-                if (!_isDividing)
+                if (_isDividing)
                 {
-                    goOnFrom(node);
+                    continue;
+                }
+                _waiting.pop();
+                var child:int = _tree.left[node];
+                if (child > 0)
+                {
+                    _waiting.push(child + 1, child);
                 }
             }
             return _waiting.length > 0;
-        }
-
-        // Goes on to the children of a node, or to the next node if it has none.
-        private function goOnFrom(node:int):void
-        {
-            var child:int = _tree.left[node];
-            _waiting.pop();
-            if (child > 0)
-            {
-                _waiting.push(child + 1, child);
-            }
         }
 
         // Begins with a node. Returns whether it is to be divided.
@@ -134,13 +121,7 @@ package starlogo.hierarchy
             {
                 return false;
             }
-            var axis:int = longestAxisOf(node);
-            var doubledSplit:Number = 2 * _tree.boxes[6 * node + axis];
-            if (_splitByMean && !isLeafOrBelow(node))
-            {
-                doubledSplit = _partition.doubledMeanOf(_tree.firstPrimitive[node], _tree.endPrimitive[node], axis);
-            }
-            _partition.beginDivision(_tree.firstPrimitive[node], _tree.endPrimitive[node], axis, doubledSplit);
+            _partition.begin(node, _splitByMean && !isLeafOrBelow(node));
             return true;
         }
 
@@ -157,38 +138,24 @@ package starlogo.hierarchy
                 && _tree.countVertices(node, _maxLeafVertices) > _maxLeafVertices;
         }
 
-        // The axis along which the box of a node is longest: 0, 1 or 2.
-        private function longestAxisOf(node:int):int
-        {
-            var halfX:Number = _tree.boxes[6 * node + 3];
-            var halfY:Number = _tree.boxes[6 * node + 4];
-            var halfZ:Number = _tree.boxes[6 * node + 5];
-            if (halfX >= halfY && halfX >= halfZ)
-            {
-                return 0;
-            }
-            return halfY >= halfZ ? 1 : 2;
-        }
-
         // Continues with a node. Returns whether more remains to do.
         private function advance(node:int):Boolean
         {
             if (isLeafOrBelow(node) && isHalvedOnLevel(_tree.levelOf(node)))
             {
-                halve(node);
+                _partition.halve();
                 return false;
             }
             if (_partition.divideSome(PRIMITIVES_PER_STEP))
             {
                 return true;
             }
-            var splitIndex:int = _partition.splitIndex;
-            if (splitIndex > _tree.firstPrimitive[node] && splitIndex < _tree.endPrimitive[node])
+            if (!_partition.isOneSided)
             {
-                makeChildren(node);
+                _partition.makeChildren(isLeafOrBelow(node));
                 return false;
             }
-            if (_partition.beginWhereCentresSpread(_tree.firstPrimitive[node], _tree.endPrimitive[node]))
+            if (_partition.beginWhereCentresSpread())
             {
                 return true;
             }
@@ -196,24 +163,9 @@ package starlogo.hierarchy
             _leafLevel = Math.min(_leafLevel, _tree.levelOf(node));
             if (isLarge(_tree, node))
             {
-                halve(node);
+                _partition.halve();
             }
             return false;
-        }
-
-        // Divides a node by the number of its primitives.
-        private function halve(node:int):void
-        {
-            _partition.halve(_tree.firstPrimitive[node], _tree.endPrimitive[node], longestAxisOf(node));
-            makeChildren(node);
-        }
-
-        // Makes the children of a node, whose primitives are divided.
-        private function makeChildren(node:int):void
-        {
-            var child:int = _tree.addChildren(node, _partition.axis, _partition.splitIndex, isLeafOrBelow(node));
-            _tree.enclose(child, _partition.leftExtents);
-            _tree.enclose(child + 1, _partition.rightExtents);
         }
     }
 }

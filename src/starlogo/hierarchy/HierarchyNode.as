@@ -39,21 +39,18 @@ package starlogo.hierarchy
         /** The child on the low side of the split, or null. */
         public function get left():HierarchyNode
         {
-            if (_left == null && !isLeaf)
-            {
-                _left = of(_tree, _tree.left[_node]);
-            }
-            return _left;
+            return _left ||= childAt(0);
         }
 
         /** The child on the high side of the split, or null. */
         public function get right():HierarchyNode
         {
-            if (_right == null && !isLeaf)
-            {
-                _right = of(_tree, _tree.left[_node] + 1);
-            }
-            return _right;
+            return _right ||= childAt(1);
+        }
+
+        private function childAt(side:int):HierarchyNode
+        {
+            return isLeaf ? null : of(_tree, _tree.left[_node] + side);
         }
 
         /** Whether the node has no children that clients see. */

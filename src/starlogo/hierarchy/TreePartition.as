@@ -3,36 +3,29 @@ package starlogo.hierarchy
     import starlogo.data.zeroedNumbers;
 
     /**
-     * The primitives of a tree while it is made: its triangles or its vertices. Divides the primitives of a node in two, and changes
-     * their order so that the primitives of each node stand side by side.
+     * The primitives of a tree while it is made: its triangles or its vertices. Divides the primitives of one node after the other in two, makes the
+     * node's children, and changes the order of the primitives so that those of each node stand side by side.
      *
      * @private
      */
     public final class TreePartition
     {
-        /** The extents of all primitives together after <code>measure()</code>. */
-        public var allExtents:Vector.<Number> = new Vector.<Number>(6, true);
-
-        /** After a division, the index at which the second group begins. */
-        public var splitIndex:int;
-
-        /** The extents of the first group of the last division. */
-        public var leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
-
-        /** The extents of the second group of the last division. */
-        public var rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
-
-        /** The axis of the last division: 0, 1 or 2. */
-        public var axis:int;
-
         private var _tree:BoxTree;
 
         // The extents of each primitive, by its number in the model: minX, maxX, minY, maxY, minZ, maxZ.
         private var _extents:Vector.<Number>;
 
-        // The current division. The primitives before splitIndex are in the first group, those after _last in the second one.
-        private var _last:int;
-        private var _doubledSplit:Number;
+        // The node that is divided, the axis, and twice the coordinate of the splitting point.
+        private var _node:int = 0;
+        private var _axis:int = 0;
+        private var _doubledSplit:Number = 0;
+
+        // The primitives before _splitIndex are in the first group, those after _last in the second one. And the extents of both groups. Before
+        // the root is made, the first group is that of all primitives.
+        private var _splitIndex:int = 0;
+        private var _last:int = 0;
+        private var _leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /**
          * @param tree has the primitives; receives their order, which begins as that of their numbers
@@ -40,7 +33,7 @@ package starlogo.hierarchy
         public function TreePartition(tree:BoxTree)
         {
             _tree = tree;
-            clear(allExtents);
+            clear(_leftExtents);
             var primitives:Vector.<int> = new Vector.<int>(tree.primitiveCount, true);
             for (var i:int = 0; i < primitives.length; i++)
             {
@@ -58,57 +51,55 @@ package starlogo.hierarchy
                 // the order is still that of the numbers
                 _tree.readExtents(i, i + 1, _extents, 6 * i);
             }
-            extend(allExtents, first, end);
+            extend(_leftExtents, first, end);
         }
 
-        /** Twice the mean of the centres of some primitives along an axis. */
-        public function doubledMeanOf(first:int, end:int, axis:int):Number
+        /** Makes the root. */
+        public function makeRoot():void
         {
-            var sum:Number = 0;
-            for (var i:int = first; i < end; i++)
-            {
-                sum += doubledCentreOf(_tree.primitives[i], axis);
-            }
-            return sum / (end - first);
+            _tree.measureRadiusAboutOrigin(_leftExtents);
+            _tree.beginNodes();
+            _tree.enclose(0, _leftExtents);
         }
 
         /**
-         * Begins a division: the primitives whose centre is below a splitting point move before the others.
+         * Begins to divide a node: primitives whose centre is below a splitting point on the longest axis of its box move before the others.
          *
-         * @param first the index of the first primitive
-         * @param end the index after the last primitive
-         * @param axis 0, 1 or 2
-         * @param doubledSplit twice the coordinate of the splitting point
+         * @param atMean whether that point is the mean of the centres; otherwise it is halfway along the box
          */
-        public function beginDivision(first:int, end:int, axis:int, doubledSplit:Number):void
+        public function begin(node:int, atMean:Boolean):void
         {
-            splitIndex = first;
-            _last = end - 1;
-            this.axis = axis;
-            _doubledSplit = doubledSplit;
-            clear(leftExtents);
-            clear(rightExtents);
+            _node = node;
+            _axis = longestAxis;
+            beginGroups();
+            _doubledSplit = 2 * _tree.boxes[6 * node + _axis];
+            if (atMean)
+            {
+                var sum:Number = 0;
+                for (var i:int = _splitIndex; i <= _last; i++)
+                {
+                    sum += doubledCentreOf(_tree.primitives[i], _axis);
+                }
+                _doubledSplit = sum / (_last + 1 - _splitIndex);
+            }
         }
 
         /**
-         * Begins a division at the midpoint of the axis along which the centres of some primitives are spread most. Both groups will have primitives.
+         * Begins to divide the node again: at the midpoint of the axis along which the centres are spread most. Both groups will have primitives.
          *
-         * @param first the index of the first primitive
-         * @param end the index after the last primitive
          * @return false if no division is possible, because all centres are in one place, or so near that no number is between them
          */
-        public function beginWhereCentresSpread(first:int, end:int):Boolean
+        public function beginWhereCentresSpread():Boolean
         {
-            var widest:int = 0;
             var width:Number = 0;
-            var begin:Number = 0;
-            var doubledSplit:Number = 0;
+            var lowest:Number = 0;
+            beginGroups();
             for (var along:int = 0; along < 3; along++)
             {
                 // twice the smallest and the largest centre
                 var least:Number = Infinity;
                 var largest:Number = -Infinity;
-                for (var i:int = first; i < end; i++)
+                for (var i:int = _splitIndex; i <= _last; i++)
                 {
                     var sum:Number = doubledCentreOf(_tree.primitives[i], along);
                     least = sum < least ? sum : least;
@@ -116,14 +107,22 @@ package starlogo.hierarchy
                 }
                 if (largest - least > width)
                 {
-                    widest = along;
                     width = largest - least;
-                    begin = least;
-                    doubledSplit = least + 0.5 * width;
+                    lowest = least;
+                    _axis = along;
+                    _doubledSplit = least + 0.5 * width;
                 }
             }
-            beginDivision(first, end, widest, doubledSplit);
-            return doubledSplit > begin;
+            return width > 0 && _doubledSplit > lowest;
+        }
+
+        // Begins with two groups without primitives.
+        private function beginGroups():void
+        {
+            _splitIndex = _tree.firstPrimitive[_node];
+            _last = _tree.endPrimitive[_node] - 1;
+            clear(_leftExtents);
+            clear(_rightExtents);
         }
 
         /**
@@ -136,9 +135,9 @@ package starlogo.hierarchy
         {
             var primitives:Vector.<int> = _tree.primitives;
             var extents:Vector.<Number> = _extents;
-            var along:int = 2 * axis;
+            var along:int = 2 * _axis;
             var doubledSplit:Number = _doubledSplit;
-            var low:int = splitIndex;
+            var low:int = _splitIndex;
             var high:int = _last;
             for (var rest:int = most; rest > 0 && low <= high; rest--)
             {
@@ -159,28 +158,53 @@ package starlogo.hierarchy
                 }
                 high--;
             }
-            extend(leftExtents, splitIndex, low);
-            extend(rightExtents, high + 1, _last + 1);
-            splitIndex = low;
+            extend(_leftExtents, _splitIndex, low);
+            extend(_rightExtents, high + 1, _last + 1);
+            _splitIndex = low;
             _last = high;
             return low <= high;
         }
 
-        /**
-         * Divides some primitives by their number: each stays in its place.
-         *
-         * @param first the index of the first primitive
-         * @param end the index after the last primitive
-         * @param axis the axis that counts as that of the division
-         */
-        public function halve(first:int, end:int, axis:int):void
+        /** Whether the division has left a group without primitives. */
+        public function get isOneSided():Boolean
         {
-            splitIndex = (first + end) >> 1;
-            this.axis = axis;
-            clear(leftExtents);
-            clear(rightExtents);
-            extend(leftExtents, first, splitIndex);
-            extend(rightExtents, splitIndex, end);
+            return _splitIndex == _tree.firstPrimitive[_node] || _splitIndex == _tree.endPrimitive[_node];
+        }
+
+        /**
+         * Divides the node by the number of its primitives, which stay in their places, and makes its children. It is a leaf of the thesis, or below
+         * one. The longest axis of its box counts as that of the division.
+         */
+        public function halve():void
+        {
+            beginGroups();
+            var first:int = _splitIndex;
+            _axis = longestAxis;
+            _splitIndex = (first + _last + 1) >> 1;
+            extend(_leftExtents, first, _splitIndex);
+            extend(_rightExtents, _splitIndex, _last + 1);
+            makeChildren(true);
+        }
+
+        /** Makes the children of the node, which is divided. @param isLeafOrBelow whether the node is a leaf of the thesis, or below one */
+        public function makeChildren(isLeafOrBelow:Boolean):void
+        {
+            var child:int = _tree.addChildren(_node, _axis, _splitIndex, isLeafOrBelow);
+            _tree.enclose(child, _leftExtents);
+            _tree.enclose(child + 1, _rightExtents);
+        }
+
+        // The axis along which the box of the node is longest: 0, 1 or 2.
+        private function get longestAxis():int
+        {
+            var halfX:Number = _tree.boxes[6 * _node + 3];
+            var halfY:Number = _tree.boxes[6 * _node + 4];
+            var halfZ:Number = _tree.boxes[6 * _node + 5];
+            if (halfX >= halfY && halfX >= halfZ)
+            {
+                return 0;
+            }
+            return halfY >= halfZ ? 1 : 2;
         }
 
         // Twice the centre of a primitive's extents along an axis.

@@ -23,7 +23,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.solid.interior.Interior;
-    import starlogo.solid.interior.InteriorBuilder;
     import starlogo.solid.interior.SurfaceTopology;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -100,11 +99,11 @@ package starlogo.solid
         // The work that prepares what is inside of the triangles.
         private function newInteriorWork():Steps
         {
-            var builder:InteriorBuilder = new InteriorBuilder(treeFor(BoxTree.EXACT), surface);
-            return new StepSequence().add(builder).call(function():void
+            var interior:Interior = new Interior(treeFor(BoxTree.EXACT), surface);
+            return new StepSequence().add(interior).call(function():void
                 {
-                    _interior = builder.interior;
-                    surface = _interior.surface;
+                    _interior = interior;
+                    surface = interior.surface;
                 });
         }
 

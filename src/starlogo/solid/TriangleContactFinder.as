@@ -40,11 +40,10 @@ package starlogo.solid
         // The motion of a, as seen from b.
         private var _reversed:RelativeMotion = new RelativeMotion();
 
-        // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe.
+        // The probe in a's space, the pose of that space in b's, and what finds a model's triangles at the probe. The pose has no margin.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
         private var _triangleSearch:StructureTriangleSearch = new StructureTriangleSearch(_kernel, new TreeCounts());
-        private var _inA:RelativePose = new RelativePose();
-        private var _inB:RelativePose = new RelativePose();
+        private var _inverse:RelativePose = new RelativePose();
 
         // The motion of the probe, which stands; a search overwrites its times.
         private var _still:RelativeMotion = new RelativeMotion();
@@ -71,9 +70,9 @@ package starlogo.solid
             _kernel.shape.setTriangle(_cornersOfB, 0);
             _probe.radius = PROBE * Math.min(radiusOfA, _kernel.shape.boundingRadius);
             _kernel.findContact(_cornersOfA, motion, out);
-            Placement.invert(placement, _inB.placement);
+            Placement.invert(placement, _inverse.placement);
             plane.setTriangle(_cornersOfA, 0);
-            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(trees.b, _inB, trees.triangleMargin, motion, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(trees, trees.b, _inverse.placement, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -81,22 +80,22 @@ package starlogo.solid
             plane.setTriangle(_cornersOfB, 0);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
-            if (plane.isHitFromFront(_kernel.shape, cullDistance, _reversed, out) && !hasTriangleBehind(trees.a, _inA, trees.triangleMargin, RelativeMotion.NONE, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, _reversed, out) && !hasTriangleBehind(trees, trees.a, Placement.IDENTITY, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
         }
 
-        // Whether a tree has a triangle at a contact that is, at least in part, behind the plane.
-        private function hasTriangleBehind(tree:BoxTree, pose:RelativePose, triangleMargin:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        // Whether one of the trees has a triangle at a contact, at least in part behind the plane. The placement moves the probe into that tree's space.
+        private function hasTriangleBehind(trees:TreePair, tree:BoxTree, placement:Placement, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
-            var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * triangleMargin;
+            var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * trees.triangleMargin;
             var normal:Vector3D = _plane.normal;
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             _still.latestTime = 1;
-            return _triangleSearch.findFirst(tree, _kernel.setStructure(_probe, pose.placement), pose, _still) >= 0;
+            return _triangleSearch.findFirst(tree, _kernel.setStructure(_probe, placement), _inverse, _still) >= 0;
         }
     }
 }

@@ -100,24 +100,30 @@ package starlogo.fitting.hull
 
         private function reduceToFew():Boolean
         {
-            return reduce(FEW * _maxCorners, queueShortestNew);
+            return reduce(FEW * _maxCorners, false);
         }
 
         private function reduceToMaximum():Boolean
         {
-            return reduce(_maxCorners, queueAllNew);
+            return reduce(_maxCorners, true);
         }
 
-        // Takes some edges from the queue until so many corners are left. Each that collapses makes faces; queueNew queues edges of these:
-        // function(firstFace:int):void. Returns whether there is more to do.
-        private function reduce(corners:int, queueNew:Function):Boolean
+        // Takes some edges from the queue until so many corners are left. Of the edges at a new corner, queues all or the shortest. Returns whether there
+        // is more to do.
+        private function reduce(corners:int, queuesAll:Boolean):Boolean
         {
             for (var i:int = 0; i < EDGES_PER_STEP && hasMoreThan(corners) && !_queue.isEmpty; i++)
             {
                 var face:int = collapseFirst();
-                if (face >= 0)
+                if (face < 0)
                 {
-                    queueNew(face);
+                    continue;
+                }
+                // each new face has one edge to the new corner; its first edge is where an earlier edge was
+                var edge:int = queuesAll ? 3 * face + 1 : _solid.shortestNewEdge(face);
+                for (var end:int = queuesAll ? 3 * _solid.faceCount : edge + 1; edge < end; edge += 3)
+                {
+                    queueEdge(edge);
                 }
             }
             return hasMoreThan(corners) && !_queue.isEmpty;
@@ -143,20 +149,6 @@ package starlogo.fitting.hull
                 return -1;
             }
             return _solid.collapse(_collapse);
-        }
-
-        private function queueShortestNew(firstFace:int):void
-        {
-            queueEdge(_solid.shortestNewEdge(firstFace));
-        }
-
-        private function queueAllNew(firstFace:int):void
-        {
-            for (var face:int = firstFace; face < _solid.faceCount; face++)
-            {
-                // the edge to the new corner; the first edge of a new face is where an earlier edge was
-                queueEdge(3 * face + 1);
-            }
         }
 
         // Queues an edge if it can collapse, unless it is queued already.

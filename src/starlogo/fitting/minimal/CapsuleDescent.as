@@ -1,5 +1,6 @@
 package starlogo.fitting.minimal
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
     import starlogo.steps.StepSequence;
 
@@ -30,23 +31,19 @@ package starlogo.fitting.minimal
         // After a move that gains less than this share of the volume, the steps become smaller.
         private static const GAIN:Number = 1e-7;
 
-        /** The ends so far, x, y, z of each. */
-        public var ends:Vector.<Number>;
-
-        /** The radius so far: the largest distance of a point from the segment. */
-        public var radius:Number;
+        /** The capsule so far: the smallest around its segment. */
+        public var capsule:Capsule;
 
         private var _points:Vector.<Number>;
 
         /**
          * @param points x, y, z of each
-         * @param start a capsule
+         * @param start its segment is the first
          */
         public function CapsuleDescent(points:Vector.<Number>, start:Capsule)
         {
             _points = points;
-            ends = new <Number>[start.start.x, start.start.y, start.start.z, start.end.x, start.end.y, start.end.z];
-            radius = radiusOf(squaresFrom(ends));
+            capsule = capsuleAround(start.start, start.end);
             var stepSize:Number = 0.1;
             var moveCount:int = 0;
             repeat(function():Boolean
@@ -60,45 +57,39 @@ package starlogo.fitting.minimal
         // Moves the ends if that makes the capsule smaller. Returns the step size for the next move.
         private function move(stepSize:Number):Number
         {
-            var trial:Vector.<Number> = solve(ends, radius, tangents(), stepSize);
-            for (var i:int = 0; i < 6; i++)
+            var volume:Number = capsule.volume;
+            if (volume == 0)
             {
-                trial[i] += ends[i];
+                // the points are on a line, and nothing is smaller than a segment
+                return 0;
             }
-            var trialRadius:Number = radiusOf(squaresFrom(trial));
-            var volume:Number = volumeOf(ends, radius);
-            var trialVolume:Number = volumeOf(trial, trialRadius);
-            if (!(trialVolume < volume))
+            var change:Vector.<Number> = solve(tangents(), stepSize);
+            var trial:Capsule = capsuleAround(capsule.start.add(new Vector3D(change[0], change[1], change[2])),
+                    capsule.end.add(new Vector3D(change[3], change[4], change[5])));
+            if (!(trial.volume < volume))
             {
                 return 0.3 * stepSize;
             }
-            radius = trialRadius;
-            ends = trial;
-            return (trialVolume < volume * (1 - GAIN) ? 2 : 0.5) * stepSize;
+            capsule = trial;
+            return (trial.volume < volume * (1 - GAIN) ? 2 : 0.5) * stepSize;
         }
 
-        private static function volumeOf(ends:Vector.<Number>, radius:Number):Number
+        private function capsuleAround(start:Vector3D, end:Vector3D):Capsule
         {
-            return Math.PI * radius * radius * (lengthOf(ends) + 4 / 3 * radius);
+            var most:Number = 0;
+            for each (var square:Number in squaresFrom(start, end))
+            {
+                most = square > most ? square : most;
+            }
+            return new Capsule(start, end, Math.sqrt(most));
         }
 
-        private static function lengthOf(ends:Vector.<Number>):Number
+        // The squared distance of each point from a segment.
+        private function squaresFrom(start:Vector3D, end:Vector3D):Vector.<Number>
         {
-            var x:Number = ends[3] - ends[0];
-            var y:Number = ends[4] - ends[1];
-            var z:Number = ends[5] - ends[2];
-            return Math.sqrt(x * x + y * y + z * z);
-        }
-
-        // The squared distance of each point from the segment between two ends.
-        private function squaresFrom(ends:Vector.<Number>):Vector.<Number>
-        {
-            var startX:Number = ends[0];
-            var startY:Number = ends[1];
-            var startZ:Number = ends[2];
-            var alongX:Number = ends[3] - startX;
-            var alongY:Number = ends[4] - startY;
-            var alongZ:Number = ends[5] - startZ;
+            var alongX:Number = end.x - start.x;
+            var alongY:Number = end.y - start.y;
+            var alongZ:Number = end.z - start.z;
             var lengthSquared:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
             var scale:Number = lengthSquared > 0 ? 1 / lengthSquared : 0;
             var count:int = _points.length / 3;
@@ -106,9 +97,9 @@ package starlogo.fitting.minimal
             for (var i:int = 0; i < count; i++)
             {
                 var at:int = 3 * i;
-                var x:Number = _points[at] - startX;
-                var y:Number = _points[at + 1] - startY;
-                var z:Number = _points[at + 2] - startZ;
+                var x:Number = _points[at] - start.x;
+                var y:Number = _points[at + 1] - start.y;
+                var z:Number = _points[at + 2] - start.z;
                 var t:Number = (x * alongX + y * alongY + z * alongZ) * scale;
                 t = t < 0 ? 0 : (t > 1 ? 1 : t);
                 x -= t * alongX;
@@ -119,26 +110,17 @@ package starlogo.fitting.minimal
             return squares;
         }
 
-        private static function radiusOf(squares:Vector.<Number>):Number
-        {
-            var most:Number = 0;
-            for each (var square:Number in squares)
-            {
-                most = square > most ? square : most;
-            }
-            return Math.sqrt(most);
-        }
-
         // Eight numbers for each point that may become the farthest: the tangent of its distance minus the radius, by the ends' coordinates
         // and the radius; then the radius minus its distance.
         private function tangents():Vector.<Number>
         {
             var found:Vector.<Number> = new Vector.<Number>();
-            var squares:Vector.<Number> = squaresFrom(ends);
+            var start:Vector3D = capsule.start;
+            var squares:Vector.<Number> = squaresFrom(start, capsule.end);
             var least:Number = activeFrom(squares);
-            var alongX:Number = ends[3] - ends[0];
-            var alongY:Number = ends[4] - ends[1];
-            var alongZ:Number = ends[5] - ends[2];
+            var alongX:Number = capsule.end.x - start.x;
+            var alongY:Number = capsule.end.y - start.y;
+            var alongZ:Number = capsule.end.z - start.z;
             var square:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
             for (var i:int = 0; i < squares.length; i++)
             {
@@ -146,9 +128,9 @@ package starlogo.fitting.minimal
                 {
                     continue;
                 }
-                var x:Number = _points[3 * i] - ends[0];
-                var y:Number = _points[3 * i + 1] - ends[1];
-                var z:Number = _points[3 * i + 2] - ends[2];
+                var x:Number = _points[3 * i] - start.x;
+                var y:Number = _points[3 * i + 1] - start.y;
+                var z:Number = _points[3 * i + 2] - start.z;
                 var t:Number = square > 0 ? (x * alongX + y * alongY + z * alongZ) / square : 0;
                 t = t < 0 ? 0 : (t > 1 ? 1 : t);
                 var distance:Number = Math.sqrt(squares[i]);
@@ -156,7 +138,7 @@ package starlogo.fitting.minimal
                 x = (t * alongX - x) / distance;
                 y = (t * alongY - y) / distance;
                 z = (t * alongZ - z) / distance;
-                found.push((1 - t) * x, (1 - t) * y, (1 - t) * z, t * x, t * y, t * z, -1, radius - distance);
+                found.push((1 - t) * x, (1 - t) * y, (1 - t) * z, t * x, t * y, t * z, -1, capsule.radius - distance);
             }
             return found;
         }
@@ -167,7 +149,7 @@ package starlogo.fitting.minimal
             var fraction:Number = ACTIVE;
             do
             {
-                var least:Number = radius * (1 - fraction);
+                var least:Number = capsule.radius * (1 - fraction);
                 least *= least;
                 var count:int = 0;
                 for (var i:int = 0; i < squares.length; i++)
@@ -183,11 +165,11 @@ package starlogo.fitting.minimal
         // Returns the change of the ends' coordinates and the radius that minimises gradient * change + |change|^2 / (2 stepSize), with
         // tangents * change <= room. The units are the radius and its derivative, so that the step size is a share of the radius for models of
         // any size.
-        private static function solve(ends:Vector.<Number>, radius:Number, tangents:Vector.<Number>, stepSize:Number):Vector.<Number>
+        private function solve(tangents:Vector.<Number>, stepSize:Number):Vector.<Number>
         {
             var change:Vector.<Number> = new Vector.<Number>(7);
-            var gradient:Vector.<Number> = gradientOfVolume(ends, radius);
-            var scale:Number = stepSize * radius / gradient[6];
+            var gradient:Vector.<Number> = gradientOfVolume();
+            var scale:Number = stepSize * capsule.radius / gradient[6];
             var i:int;
             var k:int;
             for (k = 0; k < 7; k++)
@@ -224,7 +206,7 @@ package starlogo.fitting.minimal
                     }
                     most = Math.max(most, Math.abs(difference));
                 }
-                if (most < 1e-6 * stepSize * radius)
+                if (most < 1e-6 * stepSize * capsule.radius)
                 {
                     break;
                 }
@@ -232,14 +214,14 @@ package starlogo.fitting.minimal
             return change;
         }
 
-        private static function gradientOfVolume(ends:Vector.<Number>, radius:Number):Vector.<Number>
+        private function gradientOfVolume():Vector.<Number>
         {
-            var length:Number = lengthOf(ends);
+            var radius:Number = capsule.radius;
+            var along:Vector3D = capsule.end.subtract(capsule.start);
+            var length:Number = along.length;
             var area:Number = length > 0 ? Math.PI * radius * radius / length : 0;
-            var x:Number = area * (ends[3] - ends[0]);
-            var y:Number = area * (ends[4] - ends[1]);
-            var z:Number = area * (ends[5] - ends[2]);
-            return new <Number>[-x, -y, -z, x, y, z, 2 * Math.PI * radius * (length + 2 * radius)];
+            along.scaleBy(area);
+            return new <Number>[-along.x, -along.y, -along.z, along.x, along.y, along.z, 2 * Math.PI * radius * (length + 2 * radius)];
         }
     }
 }

@@ -96,21 +96,20 @@ package starlogo.fitting.minimal
             var descent:CapsuleDescent = new CapsuleDescent(_session.hull.points, capsuleAlong(direction));
             return new StepSequence().add(descent).call(function():void
                 {
-                    keepIfSmaller(descent.ends, descent.radius);
+                    keepIfSmaller(descent.capsule);
                 });
         }
 
-        // Keeps the smallest capsule around the line through the ends, if it is smaller than the best.
-        private function keepIfSmaller(ends:Vector.<Number>, least:Number):void
+        // Keeps the smallest capsule along the axis of another one, if it is smaller than the best.
+        private function keepIfSmaller(found:Capsule):void
         {
-            var from:Vector3D = new Vector3D(ends[0], ends[1], ends[2]);
-            var axis:Vector3D = new Vector3D(ends[3] - ends[0], ends[4] - ends[1], ends[5] - ends[2]);
+            var axis:Vector3D = found.end.subtract(found.start);
             if (axis.normalize() == 0)
             {
                 axis.setTo(1, 0, 0);
             }
-            var radius:Number = Math.max(least, EnclosingStructures.distanceFromLine(_session.vertices, from, axis));
-            var capsule:Capsule = EnclosingStructures.capsule(_session.vertices, from, axis, Infinity, -Infinity, radius);
+            var radius:Number = Math.max(found.radius, EnclosingStructures.distanceFromLine(_session.vertices, found.start, axis));
+            var capsule:Capsule = EnclosingStructures.capsule(_session.vertices, found.start, axis, Infinity, -Infinity, radius);
             if (capsule.volume < best.volume)
             {
                 best = capsule;

@@ -28,7 +28,11 @@ package starlogo.solid.interior
         private static const WITH_COPIES:int = 1;
         private static const ANY:int = 2;
 
-        /** For each edge, the edge that it is matched with, or -1 if there is none. Undefined for triangles without edges. Complete after the last step. */
+        // In partners: no other edge is between the same two vertices; or more than one is, and the edge is not matched.
+        private static const ALONE:int = -1;
+        private static const NON_MANIFOLD:int = -2;
+
+        /** For each edge, the edge that it is matched with; negative if there is none. Undefined for triangles without edges. Complete after the last step. */
         public var partners:Vector.<int>;
 
         private var _triangles:Vector.<uint>;
@@ -39,10 +43,8 @@ package starlogo.solid.interior
         private var _lastOfLow:Vector.<int>;
         private var _beforeOfLow:Vector.<int>;
 
-        // For each vertex, one more than the last visited edge of which it is the higher vertex, or 0, and how many were visited between the same two
-        // vertices. Null after the edges are linked.
+        // For each vertex, one more than the last visited edge of which it is the higher vertex, or 0. Null after the edges are linked.
         private var _visitedOfHigh:Vector.<int>;
-        private var _countOfHigh:Vector.<int>;
 
         // For each edge, the one before it between the same two vertices, or -1.
         private var _beforeBetweenSame:Vector.<int>;
@@ -66,7 +68,6 @@ package starlogo.solid.interior
             _beforeBetweenSame = zeroedInts(triangles.length);
             _lastOfLow = zeroedInts(vertexCount);
             _visitedOfHigh = zeroedInts(vertexCount);
-            _countOfHigh = zeroedInts(vertexCount);
             slices(triangles.length / 3, TRIANGLES_PER_STEP, listByLowVertex).slices(vertexCount, VERTICES_PER_STEP, matchEdges).call(beginNonManifold);
         }
 
@@ -130,35 +131,33 @@ package starlogo.solid.interior
                 {
                     var high:int = beginOf(edge) + endOf(edge) - low;
                     var later:int = _visitedOfHigh[high] - 1;
-                    var count:int = 1;
-                    partners[edge] = -1;
+                    partners[edge] = ALONE;
                     _beforeBetweenSame[edge] = -1;
                     if (later >= 0 && lowOf(later) == low)
                     {
-                        count += _countOfHigh[high];
                         _beforeBetweenSame[later] = edge;
-                    }
-                    if (count == 2)
-                    {
-                        match(edge, later);
-                    }
-                    else if (count == 3)
-                    {
-                        unmatch(low, later);
+                        addBetweenSame(edge, later, low);
                     }
                     _visitedOfHigh[high] = edge + 1;
-                    _countOfHigh[high] = count;
                 }
             }
         }
 
-        // Parts two edges that are matched, because there are more between the same vertices.
-        private function unmatch(low:int, first:int):void
+        // Matches an edge with the one after it between the same two vertices. If that one is matched already, both have to wait, as all before them.
+        private function addBetweenSame(edge:int, later:int, low:int):void
         {
-            var last:int = partners[first];
-            partners[first] = -1;
-            partners[last] = -1;
-            _nonManifold.push(low * Number(partners.length) + last);
+            var last:int = partners[later];
+            if (last == ALONE)
+            {
+                match(edge, later);
+                return;
+            }
+            partners[edge] = partners[later] = NON_MANIFOLD;
+            if (last >= 0)
+            {
+                partners[last] = NON_MANIFOLD;
+                _nonManifold.push(low * Number(partners.length) + last);
+            }
         }
 
         private function match(a:int, b:int):void
@@ -169,7 +168,7 @@ package starlogo.solid.interior
 
         private function beginNonManifold():void
         {
-            _lastOfLow = _beforeOfLow = _visitedOfHigh = _countOfHigh = null;
+            _lastOfLow = _beforeOfLow = _visitedOfHigh = null;
             _nonManifold.sort(Array.NUMERIC);
             if (_nonManifold.length > 0)
             {

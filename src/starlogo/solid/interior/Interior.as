@@ -1,7 +1,7 @@
 // The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap and
 // cavities. A shell is connected over edges, a component over vertices. Engines whose meshes are hollow need none of it.
 // 
-// An InteriorBuilder makes an Interior, which answers, and prepares it in steps:
+// An Interior answers. Its steps prepare it:
 // VertexWelder      finds the vertices that are at the same place
 // then the SurfaceTopology is found, by four classes:
 // - ComponentFinder finds the components
@@ -9,7 +9,7 @@
 // - ShellFinder     follows these pairs, and so finds the shells
 // - CavityFinder    decides which shells bound cavities
 // 
-// Read Interior first, then SurfaceTopology and InteriorBuilder.
+// Read Interior first, then SurfaceTopology.
 
 package starlogo.solid.interior
 {
@@ -17,28 +17,32 @@ package starlogo.solid.interior
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     /**
      * Says which points are inside of a model's surface, by the winding numbers of its shells: it counts the triangles that a ray along an axis crosses.
+     * Its steps come before: they find which vertices are at the same place, and the surface, which takes most of the time. A surface that is known
+     * already is not found again.
      *
      * <p>In the arithmetic, p, q and r are the corners of a triangle. Each has three coordinates as seen from the ray's origin: a along the ray's axis,
      * b and c along the other two. So qb is the b of corner q.</p>
      *
      * @private
      */
-    public final class Interior
+    public final class Interior extends StepSequence
     {
         /** The tree of the triangles. */
         public var tree:BoxTree;
 
-        /** The surface that they make. */
+        /** The surface that they make, complete when no step is left. */
         public var surface:SurfaceTopology;
+
+        /** Whether at least one shell of the surface is closed, so that it has an inside. Known when no step is left. */
+        public var hasClosedShell:Boolean = false;
 
         /** See <code>VertexWelder.welded</code>. Null if all vertices of each seam are at one place. */
         public var welded:Vector.<int> = null;
-
-        /** Whether at least one shell of the surface is closed, so that it has an inside. Known when the surface is complete. */
-        public var hasClosedShell:Boolean = false;
 
         // How often each shell winds around the point of the last countWindings(), or 0 if a cavity of it does. Null before that.
         private var _windings:Vector.<int> = null;
@@ -60,14 +64,46 @@ package starlogo.solid.interior
 
         /**
          * @param tree of the triangles, whose corners are listed
-         * @param surface the surface that they make: its shells must be known when a point is asked about
+         * @param knownSurface the surface if it is known; otherwise null
          */
-        public function Interior(tree:BoxTree, surface:SurfaceTopology)
+        public function Interior(tree:BoxTree, knownSurface:SurfaceTopology)
         {
             var box:Vector.<Number> = tree.boxes;
             this.tree = tree;
-            this.surface = surface;
+            surface = knownSurface || new SurfaceTopology(tree.primitiveCount);
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
+            if (knownSurface == null || knownSurface.widestSeam > 0)
+            {
+                var welder:VertexWelder = new VertexWelder(tree);
+                add(welder).call(function():void
+                    {
+                        welded = welder.widestSeam > 0 ? welder.welded : null;
+                    });
+            }
+            if (knownSurface == null)
+            {
+                begin(function():Steps
+                    {
+                        return findingSurface(welder);
+                    });
+            }
+            call(function():void
+                {
+                    hasClosedShell = surface.hasClosedShell;
+                });
+        }
+
+        // The work that finds the surface, after its vertices are welded.
+        private function findingSurface(welder:VertexWelder):Steps
+        {
+            var interior:Interior = this;
+            var edges:EdgeMatcher = new EdgeMatcher(tree.triangles, welder);
+            var shells:ShellFinder = new ShellFinder(surface, edges);
+            surface.widestSeam = welder.widestSeam;
+            return new StepSequence().add(new ComponentFinder(surface, tree.triangles, welder.welded)).add(edges).add(shells).begin(function():Steps
+                {
+                    return new CavityFinder(interior, shells, welder.welded);
+                });
         }
 
         /**

@@ -4,7 +4,7 @@ package starlogo.solid.interior
     import starlogo.data.zeroedInts;
 
     /**
-     * The properties of a model's surface as a whole: its components, its shells, and which of these are closed. An InteriorBuilder computes
+     * The properties of a model's surface as a whole: its components, its shells, and which of these are closed. An Interior's steps find
      * them, and a cooked file stores them.
      *
      * @private

@@ -2,7 +2,7 @@ package starlogo.solid.interior
 {
     import starlogo.data.zeroedInts;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.vertices.VertexBounds;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
 
     /**
@@ -28,8 +28,10 @@ package starlogo.solid.interior
         public var widestSeam:Number = 0;
 
         private var _vertices:Vector.<Number>;
-        private var _bounds:VertexBounds = new VertexBounds();
         private var _tolerance:Number;
+
+        // Begins with the middle and the half-extents of the box around the triangles. The grid begins in its lowest corner.
+        private var _boxes:Vector.<Number>;
 
         // For each bucket of the hash table, one more than the number of the last place in it, or 0. For each place, one more than the number of the
         // place before it in the same bucket, or 0.
@@ -37,31 +39,23 @@ package starlogo.solid.interior
         private var _before:Vector.<int>;
 
         /**
-         * @param vertices x, y, z of each
+         * @param tree of the triangles
          */
-        public function VertexWelder(vertices:Vector.<Number>)
+        public function VertexWelder(tree:BoxTree)
         {
-            _vertices = vertices;
-            var count:int = vertices.length / 3;
+            var count:int = tree.vertices.length / 3;
             var size:int = 2;
             while (size < count)
             {
                 size *= 2;
             }
+            _vertices = tree.vertices;
+            _boxes = tree.boxes;
+            _tolerance = 2 * Tolerances.WELDING * Math.max(_boxes[3], _boxes[4], _boxes[5]) + Tolerances.ROUNDING * tree.radiusAboutOrigin;
             welded = zeroedInts(count);
             _last = zeroedInts(size);
             _before = zeroedInts(count);
-            slices(count, 8 * VERTICES_PER_STEP, addVertices).call(setTolerance).slices(count, VERTICES_PER_STEP, weld);
-        }
-
-        private function addVertices(first:int, end:int):void
-        {
-            _bounds.add(_vertices, first, end);
-        }
-
-        private function setTolerance():void
-        {
-            _tolerance = Tolerances.WELDING * _bounds.extent + Tolerances.ROUNDING * _bounds.largest;
+            slices(count, VERTICES_PER_STEP, weld);
         }
 
         private function weld(first:int, end:int):void
@@ -75,9 +69,9 @@ package starlogo.solid.interior
         private function weldedOf(vertex:int):int
         {
             var cellsPerUnit:Number = 1 / (CELL_WIDTH * _tolerance);
-            var x:Number = (_vertices[3 * vertex] - _bounds.minX) * cellsPerUnit;
-            var y:Number = (_vertices[int(3 * vertex + 1)] - _bounds.minY) * cellsPerUnit;
-            var z:Number = (_vertices[int(3 * vertex + 2)] - _bounds.minZ) * cellsPerUnit;
+            var x:Number = (_vertices[3 * vertex] - _boxes[0] + _boxes[3]) * cellsPerUnit;
+            var y:Number = (_vertices[int(3 * vertex + 1)] - _boxes[1] + _boxes[4]) * cellsPerUnit;
+            var z:Number = (_vertices[int(3 * vertex + 2)] - _boxes[2] + _boxes[5]) * cellsPerUnit;
             var cellX:int = x;
             var cellY:int = y;
             var cellZ:int = z;

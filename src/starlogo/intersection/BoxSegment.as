@@ -26,8 +26,8 @@ package starlogo.intersection
         private var _enters:Vector.<Number> = new Vector.<Number>(3, true);
         private var _leaves:Vector.<Number> = new Vector.<Number>(3, true);
 
-        /** Sets the axis of a capsule, where it is at its motion's time. */
-        public function setTo(capsule:Capsule, motion:RelativeMotion, box:Box):void
+        /** Sets the axis of a capsule. */
+        public function setTo(capsule:Capsule, box:Box):void
         {
             var from:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
@@ -37,16 +37,29 @@ package starlogo.intersection
             var toX:Number = end.x - from.x;
             var toY:Number = end.y - from.y;
             var toZ:Number = end.z - from.z;
-            for (var i:int = 0; i < 3; i++)
-            {
-                var axis:Vector3D = i == 0 ? box.axisX : i == 1 ? box.axisY : box.axisZ;
-                along[i] = axis.x * toX + axis.y * toY + axis.z * toZ;
-                start[i] = axis.x * fromX + axis.y * fromY + axis.z * fromZ + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ)
-                    + motion.time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            }
+            var axis:Vector3D = box.axisX;
+            start[0] = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along[0] = axis.x * toX + axis.y * toY + axis.z * toZ;
+            axis = box.axisY;
+            start[1] = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along[1] = axis.x * toX + axis.y * toY + axis.z * toZ;
+            axis = box.axisZ;
+            start[2] = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along[2] = axis.x * toX + axis.y * toY + axis.z * toZ;
             halves[0] = box.halfX;
             halves[1] = box.halfY;
             halves[2] = box.halfZ;
+        }
+
+        /** Moves the axis to where the capsule is at its motion's time. */
+        public function move(box:Box, motion:RelativeMotion):void
+        {
+            for (var i:int = 0; i < 3; i++)
+            {
+                var axis:Vector3D = i == 0 ? box.axisX : i == 1 ? box.axisY : box.axisZ;
+                start[i] += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
+                start[i] += motion.time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            }
         }
 
         /**
@@ -63,17 +76,21 @@ package starlogo.intersection
                 var u:Number = along[i];
                 // the line leaves the slab where it reaches this side
                 var half:Number = u < 0 ? -halves[i] : halves[i];
-                _enters[i] = u != 0 ? (-half - start[i]) / u : -Infinity;
-                _leaves[i] = u != 0 ? (half - start[i]) / u : Infinity;
-                lastIn = _enters[i] > lastIn ? _enters[i] : lastIn;
-                firstOut = _leaves[i] < firstOut ? _leaves[i] : firstOut;
+                var enter:Number = u != 0 ? (-half - start[i]) / u : -Infinity;
+                var leave:Number = u != 0 ? (half - start[i]) / u : Infinity;
+                lastIn = enter > lastIn ? enter : lastIn;
+                firstOut = leave < firstOut ? leave : firstOut;
+                _enters[i] = enter;
+                _leaves[i] = leave;
             }
             var closest:Number;
             if (lastIn <= firstOut)
             {
                 var begin:Number = lastIn > 0 ? lastIn : 0;
                 var end:Number = firstOut > 0 ? firstOut : 0;
-                closest = ((begin < 1 ? begin : 1) + (end < 1 ? end : 1)) / 2;
+                begin = begin < 1 ? begin : 1;
+                end = end < 1 ? end : 1;
+                closest = (begin + end) / 2;
             }
             else
             {
@@ -88,7 +105,8 @@ package starlogo.intersection
                     half = u < 0 ? -halves[i] : halves[i];
                     if (_leaves[i] == firstOut || _enters[i] == lastIn)
                     {
-                        slope += u * (_leaves[i] == firstOut ? start[i] - half : start[i] + half);
+                        var beyond:Number = _leaves[i] == firstOut ? start[i] - half : start[i] + half;
+                        slope += u * beyond;
                         curvature += u * u;
                     }
                     else
@@ -102,7 +120,8 @@ package starlogo.intersection
                 {
                     u = along[third];
                     half = u < 0 ? -halves[third] : halves[third];
-                    closest = -(slope + u * (closest < _enters[third] ? start[third] + half : start[third] - half)) / (curvature + u * u);
+                    beyond = closest < _enters[third] ? start[third] + half : start[third] - half;
+                    closest = -(slope + u * beyond) / (curvature + u * u);
                 }
                 // The comparison is false for NaN too.
                 closest = closest > 0 ? closest : 0;

@@ -130,7 +130,8 @@ package starlogo.intersection
             }
             else
             {
-                _axisAtBox.setTo(a as Capsule, motion, b as Box);
+                _axisAtBox.setTo(a as Capsule, b as Box);
+                _axisAtBox.move(b as Box, motion);
                 _axisAtBox.findClosest(out);
                 out.size += Math.abs(_axisAtBox.along[0]) + Math.abs(_axisAtBox.along[1]) + Math.abs(_axisAtBox.along[2]);
             }

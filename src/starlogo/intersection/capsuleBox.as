@@ -2,7 +2,6 @@ package starlogo.intersection
 {
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
-    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -19,7 +18,7 @@ package starlogo.intersection
     public function capsuleBox(capsule:Capsule, box:Box):Boolean
     {
         var segment:BoxSegment = BoxSegment.SCRATCH;
-        segment.setTo(capsule, RelativeMotion.NONE, box);
+        segment.setTo(capsule, box);
         var radius:Number = capsule.radius * Tolerances.TOUCHING;
         for (var i:int = 0; i < 3; i++)
         {

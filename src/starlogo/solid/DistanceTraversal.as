@@ -63,18 +63,22 @@ package starlogo.solid
             var pair:BoxPair = _pair;
             trees.readBoxes(a, b, pair);
             var absolutes:Vector.<Number> = pair.absolutes;
+            var offset:Vector.<Number> = pair.offset;
+            var halvesA:Vector.<Number> = pair.halvesA;
             var halvesB:Vector.<Number> = pair.halvesB;
-            var squared:Number = 0;
             // measure() widens b's boxes as well
             halvesB[0] += trees.pose.margin;
             halvesB[1] += trees.pose.margin;
             halvesB[2] += trees.pose.margin;
-            for (var i:int = 0; i < 3; i++)
-            {
-                var distance:Number = pair.offset[i] < 0 ? -pair.offset[i] : pair.offset[i];
-                distance -= pair.halvesA[i] + absolutes[int(3 * i)] * halvesB[0] + absolutes[int(3 * i + 1)] * halvesB[1] + absolutes[int(3 * i + 2)] * halvesB[2];
-                squared += distance > 0 ? distance * distance : 0;
-            }
+            var distance:Number = Math.abs(offset[0]) - (halvesA[0] + absolutes[0] * halvesB[0] + absolutes[1] * halvesB[1] + absolutes[2] * halvesB[2]);
+            distance = distance > 0 ? distance : 0;
+            var squared:Number = distance * distance;
+            distance = Math.abs(offset[1]) - (halvesA[1] + absolutes[3] * halvesB[0] + absolutes[4] * halvesB[1] + absolutes[5] * halvesB[2]);
+            distance = distance > 0 ? distance : 0;
+            squared += distance * distance;
+            distance = Math.abs(offset[2]) - (halvesA[2] + absolutes[6] * halvesB[0] + absolutes[7] * halvesB[1] + absolutes[8] * halvesB[2]);
+            distance = distance > 0 ? distance : 0;
+            squared += distance * distance;
             var far:Number = limit + 2 * SLACK * (limit + _radii);
             if (squared > far * far)
             {
@@ -96,14 +100,19 @@ package starlogo.solid
             var absolutes:Vector.<Number> = pair.absolutes;
             var offset:Vector.<Number> = pair.offset;
             var halvesA:Vector.<Number> = pair.halvesA;
-            var squared:Number = 0;
-            for (var i:int = 0; i < 3; i++)
-            {
-                var distance:Number = rotation[i] * offset[0] + rotation[int(i + 3)] * offset[1] + rotation[int(i + 6)] * offset[2];
-                distance = distance < 0 ? -distance : distance;
-                distance -= absolutes[i] * halvesA[0] + absolutes[int(i + 3)] * halvesA[1] + absolutes[int(i + 6)] * halvesA[2] + pair.halvesB[i];
-                squared += distance > 0 ? distance * distance : 0;
-            }
+            var halvesB:Vector.<Number> = pair.halvesB;
+            var distance:Number = Math.abs(rotation[0] * offset[0] + rotation[3] * offset[1] + rotation[6] * offset[2])
+                - (absolutes[0] * halvesA[0] + absolutes[3] * halvesA[1] + absolutes[6] * halvesA[2] + halvesB[0]);
+            distance = distance > 0 ? distance : 0;
+            var squared:Number = distance * distance;
+            distance = Math.abs(rotation[1] * offset[0] + rotation[4] * offset[1] + rotation[7] * offset[2])
+                - (absolutes[1] * halvesA[0] + absolutes[4] * halvesA[1] + absolutes[7] * halvesA[2] + halvesB[1]);
+            distance = distance > 0 ? distance : 0;
+            squared += distance * distance;
+            distance = Math.abs(rotation[2] * offset[0] + rotation[5] * offset[1] + rotation[8] * offset[2])
+                - (absolutes[2] * halvesA[0] + absolutes[5] * halvesA[1] + absolutes[8] * halvesA[2] + halvesB[2]);
+            distance = distance > 0 ? distance : 0;
+            squared += distance * distance;
             raiseBound(Math.sqrt(squared));
         }
 
@@ -122,10 +131,9 @@ package starlogo.solid
                 return;
             }
             var distance:Number = pair.offset[0] * toX + pair.offset[1] * toY + pair.offset[2] * toZ;
-            for (var i:int = 0; i < 3; i++)
-            {
-                distance -= Math.abs(toX * rotation[i] + toY * rotation[int(i + 3)] + toZ * rotation[int(i + 6)]) * pair.halvesB[i];
-            }
+            distance -= Math.abs(toX * rotation[0] + toY * rotation[3] + toZ * rotation[6]) * pair.halvesB[0];
+            distance -= Math.abs(toX * rotation[1] + toY * rotation[4] + toZ * rotation[7]) * pair.halvesB[1];
+            distance -= Math.abs(toX * rotation[2] + toY * rotation[5] + toZ * rotation[8]) * pair.halvesB[2];
             raiseBound((distance - pair.halvesA[0] * Math.abs(toX) - pair.halvesA[1] * Math.abs(toY) - pair.halvesA[2] * Math.abs(toZ)) / length);
         }
 

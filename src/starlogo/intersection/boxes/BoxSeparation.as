@@ -16,7 +16,7 @@ package starlogo.intersection.boxes
             {
                 var projection:Number = pair.offset[i];
                 var radius:Number = pair.halvesA[i] + halvesB[0] * absolutes[int(3 * i)] + halvesB[1] * absolutes[int(3 * i + 1)] + halvesB[2] * absolutes[int(3 * i + 2)];
-                if (projection > radius || projection < -radius)
+                if (!(projection <= radius && projection >= -radius))
                 {
                     return false;
                 }
@@ -35,7 +35,7 @@ package starlogo.intersection.boxes
             {
                 var projection:Number = offset[0] * rotation[i] + offset[1] * rotation[int(i + 3)] + offset[2] * rotation[int(i + 6)];
                 var radius:Number = pair.halvesB[i] + halvesA[0] * absolutes[i] + halvesA[1] * absolutes[int(i + 3)] + halvesA[2] * absolutes[int(i + 6)];
-                if (projection > radius || projection < -radius)
+                if (!(projection <= radius && projection >= -radius))
                 {
                     return false;
                 }
@@ -70,7 +70,7 @@ package starlogo.intersection.boxes
                     var kp:int = 3 * k + p;
                     var projection:Number = offsetK * rotation[jp] - offsetJ * rotation[kp];
                     var radius:Number = halfJ * absolutes[kp] + halfK * absolutes[jp] + pair.halvesB[q] * absolutes[int(row + r)] + pair.halvesB[r] * absolutes[int(row + q)];
-                    if (projection > radius || projection < -radius)
+                    if (!(projection <= radius && projection >= -radius))
                     {
                         return false;
                     }

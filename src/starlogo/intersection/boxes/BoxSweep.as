@@ -104,6 +104,9 @@ package starlogo.intersection.boxes
         private function clipAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
         {
             var rotation:Vector.<Number> = pair.rotation;
+            var offset:Vector.<Number> = pair.offset;
+            var motion:Vector.<Number> = pair.motion;
+            var halvesA:Vector.<Number> = pair.halvesA;
             var halfQ:Number = pair.halvesB[q];
             var halfR:Number = pair.halvesB[r];
             for (var i:int = 0; i < 3; i++)
@@ -117,11 +120,10 @@ package starlogo.intersection.boxes
                 var edgeK:Number = rotation[int(rowK + p)];
                 var sizeJ:Number = Math.abs(edgeJ);
                 var sizeK:Number = Math.abs(edgeK);
-                var halfExtents:Number = pair.halvesA[j] * sizeK + pair.halvesA[k] * sizeJ
+                var halfExtents:Number = halvesA[j] * sizeK + halvesA[k] * sizeJ
                     + Math.abs(halfQ * rotation[int(rowK + q)] * edgeJ - halfQ * rotation[int(rowJ + q)] * edgeK)
                     + Math.abs(halfR * rotation[int(rowK + r)] * edgeJ - halfR * rotation[int(rowJ + r)] * edgeK);
-                if (sizeJ + sizeK > SHORTEST && !_times.clip(pair.offset[k] * edgeJ - pair.offset[j] * edgeK, pair.motion[k] * edgeJ - pair.motion[j] * edgeK,
-                            halfExtents, pair.margin * (sizeJ + sizeK)))
+                if (sizeJ + sizeK > SHORTEST && !_times.clip(offset[k] * edgeJ - offset[j] * edgeK, motion[k] * edgeJ - motion[j] * edgeK, halfExtents, pair.margin * (sizeJ + sizeK)))
                 {
                     return false;
                 }

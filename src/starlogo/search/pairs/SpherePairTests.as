@@ -155,9 +155,15 @@ package starlogo.search.pairs
         override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth leaves the gap in place
-            var areSwapped:Boolean = a.worldStructure().isAfter(b.worldStructure());
-            var first:Sphere = (areSwapped ? b : a).worldStructure() as Sphere;
-            var second:Sphere = (areSwapped ? a : b).worldStructure() as Sphere;
+            var first:Sphere = a.worldStructure() as Sphere;
+            var second:Sphere = b.worldStructure() as Sphere;
+            var areSwapped:Boolean = first.isAfter(second);
+            if (areSwapped)
+            {
+                var earlier:Sphere = second;
+                second = first;
+                first = earlier;
+            }
             var gap:CoreGap = _centers;
             gap.point.copyFrom(first.center);
             gap.x = first.center.x - second.center.x;

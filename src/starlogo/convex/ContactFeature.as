@@ -116,10 +116,10 @@ package starlogo.convex
             var last:int = face.length - 3;
             for (var at:int = 0; at < face.length; at += 3)
             {
-                var isPartInside:Boolean = findInnerSide(face, last, at, contact);
+                var isPartInside:Boolean = findInnerSide(face, last, at, contact, _innerSide);
                 if (isPartInside)
                 {
-                    keepInside();
+                    keepInside(_innerSide);
                 }
                 hasCommonPart = hasCommonPart && isPartInside;
                 last = at;
@@ -131,8 +131,8 @@ package starlogo.convex
             // what is nearest to an edge may be beside the face, so these edges come last
             for (at = 0; at < face.length; at += 3)
             {
-                findInnerSide(face, last, at, contact);
-                keepInside();
+                findInnerSide(face, last, at, contact, _innerSide);
+                keepInside(_innerSide);
                 last = at;
             }
         }
@@ -238,7 +238,7 @@ package starlogo.convex
         }
 
         // Finds the inner side of an edge of a face. Returns whether a part of this feature is there. If not, the side is widened to what is nearest to the edge.
-        private function findInnerSide(face:ContactFeature, from:int, to:int, contact:ContactPoint):Boolean
+        private function findInnerSide(face:ContactFeature, from:int, to:int, contact:ContactPoint, out:Vector3D):Boolean
         {
             var corners:Vector.<Number> = face.points;
             var edgeX:Number = corners[to] - corners[from];
@@ -261,17 +261,16 @@ package starlogo.convex
                 * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var isPartInside:Boolean = innermost >= border - rounding;
             border = isPartInside ? border : innermost;
-            _innerSide.x = inX;
-            _innerSide.y = inY;
-            _innerSide.z = inZ;
-            _innerSide.w = border - rounding;
+            out.x = inX;
+            out.y = inY;
+            out.z = inZ;
+            out.w = border - rounding;
             return isPartInside;
         }
 
-        // Keeps the part on the side that findInnerSide() has found.
-        private function keepInside():void
+        // Keeps the part on the inner side of an edge.
+        private function keepInside(side:Vector3D):void
         {
-            var side:Vector3D = _innerSide;
             // an edge is not a closed outline
             var isEdge:Boolean = length == EDGE;
             var end:int = length;

@@ -7,159 +7,156 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
 
     /**
-     * A capsule's axis as seen from a box, and its point that is nearest to the box. All numbers are in the box's axes. Its fields are read only.
+     * A capsule's axis as seen from a box, in the box's axes. It finds the point of the axis that is closest to the box. Its fields are read only.
      *
      * <p>The squared distance to the box is convex along the segment, and quadratic between the points where the segment crosses the planes of
      * the box's faces. So its minimum has a closed form.</p>
      */
     internal final class BoxSegment
     {
-        /** The segment that <code>capsuleBox()</code> sets, of a capsule that stands. */
+        /** The segment that <code>capsuleBox()</code> sets, whose capsule stands. */
         public static const SCRATCH:BoxSegment = new BoxSegment();
 
-        /** The segment's start, as seen from the box's middle. */
-        public var start:Vector3D = new Vector3D();
+        /** The segment's start as seen from the box's middle, the vector from its start to its end, and the half-extents of the box: three numbers each. */
+        public var start:Vector.<Number> = new Vector.<Number>(3, true);
+        public var along:Vector.<Number> = new Vector.<Number>(3, true);
+        public var halves:Vector.<Number> = new Vector.<Number>(3, true);
 
-        /** The vector from its start to its end. */
-        public var along:Vector3D = new Vector3D();
-
-        /** Where the segment's closest point is: from 0 at its start to 1 at its end. */
-        public var fraction:Number = 0;
-
-        /** Whether a part of the segment is inside of all slabs of the box that it crosses. Slabs parallel to the segment are not tested. */
-        public var isInside:Boolean = false;
+        // Where the segment's line enters and leaves each slab of the box, as fractions of the segment. They are infinite if it is parallel to the slab.
+        private var _enters:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _leaves:Vector.<Number> = new Vector.<Number>(3, true);
 
         /** Sets the axis of a capsule. */
         public function setTo(capsule:Capsule, box:Box):void
         {
             var from:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            var center:Vector3D = box.center;
-            var fromX:Number = from.x - center.x;
-            var fromY:Number = from.y - center.y;
-            var fromZ:Number = from.z - center.z;
+            var fromX:Number = from.x - box.center.x;
+            var fromY:Number = from.y - box.center.y;
+            var fromZ:Number = from.z - box.center.z;
             var toX:Number = end.x - from.x;
             var toY:Number = end.y - from.y;
             var toZ:Number = end.z - from.z;
             var axis:Vector3D = box.axisX;
-            start.x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            along.x = axis.x * toX + axis.y * toY + axis.z * toZ;
+            start[0] = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along[0] = axis.x * toX + axis.y * toY + axis.z * toZ;
             axis = box.axisY;
-            start.y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            along.y = axis.x * toX + axis.y * toY + axis.z * toZ;
+            start[1] = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along[1] = axis.x * toX + axis.y * toY + axis.z * toZ;
             axis = box.axisZ;
-            start.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            along.z = axis.x * toX + axis.y * toY + axis.z * toZ;
+            start[2] = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            along[2] = axis.x * toX + axis.y * toY + axis.z * toZ;
+            halves[0] = box.halfX;
+            halves[1] = box.halfY;
+            halves[2] = box.halfZ;
         }
 
-        /** Moves the segment to where the capsule is at its motion's time. */
+        /** Moves the axis to where the capsule is at its motion's time. */
         public function move(box:Box, motion:RelativeMotion):void
         {
-            var time:Number = motion.time;
-            var axis:Vector3D = box.axisX;
-            start.x += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
-            start.x += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            axis = box.axisY;
-            start.y += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
-            start.y += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            axis = box.axisZ;
-            start.z += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
-            start.z += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            for (var i:int = 0; i < 3; i++)
+            {
+                var axis:Vector3D = i == 0 ? box.axisX : i == 1 ? box.axisY : box.axisZ;
+                start[i] += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
+                start[i] += motion.time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            }
         }
 
-        /** Finds <code>fraction</code> and <code>isInside</code>. First it finds where the segment's line enters and leaves each slab of the box. */
-        public function findClosest(box:Box):void
+        /**
+         * Finds the point that is closest to the box. First it finds where the segment's line enters and leaves each slab of the box.
+         *
+         * @param out receives its place and its fraction
+         */
+        public function findClosest(out:RoundGap):void
         {
-            var px:Number = start.x;
-            var py:Number = start.y;
-            var pz:Number = start.z;
-            var ux:Number = along.x;
-            var uy:Number = along.y;
-            var uz:Number = along.z;
-            // the half-extents, negative along axes that the segment runs against: it leaves a slab where it reaches them
-            var halfX:Number = ux < 0 ? -box.halfX : box.halfX;
-            var halfY:Number = uy < 0 ? -box.halfY : box.halfY;
-            var halfZ:Number = uz < 0 ? -box.halfZ : box.halfZ;
-            var inX:Number = ux != 0 ? (-halfX - px) / ux : -Infinity;
-            var outX:Number = ux != 0 ? (halfX - px) / ux : Infinity;
-            var inY:Number = uy != 0 ? (-halfY - py) / uy : -Infinity;
-            var outY:Number = uy != 0 ? (halfY - py) / uy : Infinity;
-            var inZ:Number = uz != 0 ? (-halfZ - pz) / uz : -Infinity;
-            var outZ:Number = uz != 0 ? (halfZ - pz) / uz : Infinity;
-            var lastIn:Number = inX > inY ? inX : inY;
-            lastIn = lastIn > inZ ? lastIn : inZ;
-            var firstOut:Number = outX < outY ? outX : outY;
-            firstOut = firstOut < outZ ? firstOut : outZ;
-            isInside = lastIn <= firstOut && lastIn <= 1 && firstOut >= 0;
+            var lastIn:Number = -Infinity;
+            var firstOut:Number = Infinity;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var u:Number = along[i];
+                // the line leaves the slab where it reaches this side
+                var half:Number = u < 0 ? -halves[i] : halves[i];
+                var enter:Number = u != 0 ? (-half - start[i]) / u : -Infinity;
+                var leave:Number = u != 0 ? (half - start[i]) / u : Infinity;
+                lastIn = enter > lastIn ? enter : lastIn;
+                firstOut = leave < firstOut ? leave : firstOut;
+                _enters[i] = enter;
+                _leaves[i] = leave;
+            }
+            var closest:Number;
             if (lastIn <= firstOut)
             {
                 var begin:Number = lastIn > 0 ? lastIn : 0;
                 var end:Number = firstOut > 0 ? firstOut : 0;
                 begin = begin < 1 ? begin : 1;
                 end = end < 1 ? end : 1;
-                fraction = (begin + end) / 2;
-                return;
+                closest = (begin + end) / 2;
             }
-            // The line misses the box: it leaves one slab before it enters another, and is closest between these two places. How far it is outside of
-            // these two slabs counts.
-            var dx:Number = outX == firstOut || inX == lastIn ? ux : 0;
-            var dy:Number = outY == firstOut || inY == lastIn ? uy : 0;
-            var dz:Number = outZ == firstOut || inZ == lastIn ? uz : 0;
-            var beyondX:Number = outX == firstOut ? px - halfX : px + halfX;
-            var beyondY:Number = outY == firstOut ? py - halfY : py + halfY;
-            var beyondZ:Number = outZ == firstOut ? pz - halfZ : pz + halfZ;
-            var slope:Number = dx * beyondX + dy * beyondY + dz * beyondZ;
-            var curvature:Number = dx * dx + dy * dy + dz * dz;
-            var closest:Number = -slope / curvature;
-            // The third slab also counts if the line is outside of it at the minimum found without it.
-            if (dx == 0 && (closest < inX || closest > outX))
+            else
             {
-                beyondX = closest < inX ? px + halfX : px - halfX;
-                closest = -(slope + ux * beyondX) / (curvature + ux * ux);
+                // The line misses the box: it leaves one slab before it enters another, and is closest between these two places. How far it is outside
+                // of these two slabs counts.
+                var slope:Number = 0;
+                var curvature:Number = 0;
+                var third:int = -1;
+                for (i = 0; i < 3; i++)
+                {
+                    u = along[i];
+                    half = u < 0 ? -halves[i] : halves[i];
+                    if (_leaves[i] == firstOut || _enters[i] == lastIn)
+                    {
+                        var beyond:Number = _leaves[i] == firstOut ? start[i] - half : start[i] + half;
+                        slope += u * beyond;
+                        curvature += u * u;
+                    }
+                    else
+                    {
+                        third = i;
+                    }
+                }
+                closest = -slope / curvature;
+                // The third slab also counts if the line is outside of it at the minimum found without it.
+                if (third >= 0 && (closest < _enters[third] || closest > _leaves[third]))
+                {
+                    u = along[third];
+                    half = u < 0 ? -halves[third] : halves[third];
+                    beyond = closest < _enters[third] ? start[third] + half : start[third] - half;
+                    closest = -(slope + u * beyond) / (curvature + u * u);
+                }
+                // The comparison is false for NaN too.
+                closest = closest > 0 ? closest : 0;
+                closest = closest < 1 ? closest : 1;
             }
-            else if (dy == 0 && (closest < inY || closest > outY))
-            {
-                beyondY = closest < inY ? py + halfY : py - halfY;
-                closest = -(slope + uy * beyondY) / (curvature + uy * uy);
-            }
-            else if (dz == 0 && (closest < inZ || closest > outZ))
-            {
-                beyondZ = closest < inZ ? pz + halfZ : pz - halfZ;
-                closest = -(slope + uz * beyondZ) / (curvature + uz * uz);
-            }
-            // The comparison is false for NaN too.
-            closest = closest > 0 ? closest : 0;
-            fraction = closest < 1 ? closest : 1;
+            // A point inside of all slabs that the segment crosses may be anywhere in them. Rounding must not put it outside: a radius of 0 allows no error.
+            var isInside:Boolean = lastIn <= firstOut && lastIn <= 1 && firstOut >= 0;
+            out.place.x = isInside && along[0] != 0 ? 0 : start[0] + closest * along[0];
+            out.place.y = isInside && along[1] != 0 ? 0 : start[1] + closest * along[1];
+            out.place.z = isInside && along[2] != 0 ? 0 : start[2] + closest * along[2];
+            out.fraction = closest;
         }
 
         /**
-         * The middle of the closest points, as <code>findClosest()</code> found them. If the segment is parallel to a face or an edge up to rounding, all of
-         * the part beside it is equally close, and it is the middle of that part.
+         * Moves the closest point of the segment to the middle of the part beside a face or an edge of the box, if the segment is parallel to it up to
+         * rounding. All of that part is equally close.
+         *
+         * @param gap that of this segment and the box; its fraction changes
          */
-        public function middleIn(box:Box):Number
+        public function moveToMiddle(gap:RoundGap):void
         {
-            var least:Number = Tolerances.DIRECTION * (Math.abs(along.x) + Math.abs(along.y) + Math.abs(along.z));
+            var least:Number = Tolerances.DIRECTION * (Math.abs(along[0]) + Math.abs(along[1]) + Math.abs(along[2]));
             var begin:Number = 0;
             var end:Number = 1;
-            if (Math.abs(along.x) > least)
+            for (var i:int = 0; i < 3; i++)
             {
-                var half:Number = along.x < 0 ? -box.halfX : box.halfX;
-                begin = Math.max(begin, (-half - start.x) / along.x);
-                end = Math.min(end, (half - start.x) / along.x);
+                var u:Number = along[i];
+                if (Math.abs(u) > least)
+                {
+                    var half:Number = u < 0 ? -halves[i] : halves[i];
+                    begin = Math.max(begin, (-half - start[i]) / u);
+                    end = Math.min(end, (half - start[i]) / u);
+                }
             }
-            if (Math.abs(along.y) > least)
-            {
-                half = along.y < 0 ? -box.halfY : box.halfY;
-                begin = Math.max(begin, (-half - start.y) / along.y);
-                end = Math.min(end, (half - start.y) / along.y);
-            }
-            if (Math.abs(along.z) > least)
-            {
-                half = along.z < 0 ? -box.halfZ : box.halfZ;
-                begin = Math.max(begin, (-half - start.z) / along.z);
-                end = Math.min(end, (half - start.z) / along.z);
-            }
-            return begin < end ? (begin + end) / 2 : fraction;
+            gap.fraction = begin < end ? (begin + end) / 2 : gap.fraction;
         }
     }
 }

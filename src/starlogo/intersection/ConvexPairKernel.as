@@ -8,6 +8,7 @@ package starlogo.intersection
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.intersection.boxes.BoxPair;
     import starlogo.intersection.boxes.BoxSweep;
 
     use namespace engine;
@@ -23,6 +24,7 @@ package starlogo.intersection
     {
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _boxSweep:BoxSweep = new BoxSweep();
+        private var _boxes:BoxPair = new BoxPair();
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
 
@@ -34,41 +36,42 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override internal function findTimeOfImpactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override public function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            if (areBoxes(first, second))
+            if (areBoxes(a, b))
             {
-                _boxSweep.findTimeOfImpactOfBoxes(first as Box, second as Box, motion);
+                _boxes.setMoving(a as Box, b as Box, motion);
+                _boxSweep.findTimeOfImpact(_boxes, motion);
                 return;
             }
-            setShapes(first, second);
+            setShapes(a, b);
             _kernel.findTimeOfImpact(_a, _b, motion);
         }
 
         /** @inheritDoc */
-        override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (areBoxes(first, second))
+            if (areBoxes(a, b))
             {
-                // also if they touch across a margin: StructurePairKernel promises a normal of a face or across two edges
-                findOverlapInOrder(first, second, motion, out);
+                // also if they touch across a margin: StructurePairs promises a normal of a face or across two edges
+                findOverlap(a, b, motion, out);
                 return;
             }
-            setShapes(first, second);
+            setShapes(a, b);
             _kernel.findContact(_a, _b, motion, out);
         }
 
-        /** Finds the contact of two structures whose cores overlap. It is faster than <code>findContactInOrder()</code>. */
-        internal function findOverlapInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        /** Finds the contact of two structures whose cores overlap. It is faster than <code>findContact()</code>. */
+        internal function findOverlap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            setShapes(first, second);
+            setShapes(a, b);
             _kernel.findOverlap(_a, _b, motion, out);
         }
 
         /** @inheritDoc */
-        override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            setShapes(first, second);
+            setShapes(a, b);
             _kernel.findClosest(_a, _b, out);
         }
 

@@ -10,15 +10,17 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.findTimeOfImpactOfSpheres;
     import starlogo.geometry.Tolerances;
 
     /**
-     * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the radii and the gap between
-     * the two cores: from a sphere's centre or a capsule's axis to a capsule's axis or a box. Each pair of kinds has a formula for the gap. If there is
-     * hardly any gap, the ConvexPairKernel finds the contact.
+     * The kernel of a sphere or a capsule and a sphere, a capsule or a box. It answers by the radii and the gap between the two cores: from a sphere's
+     * centre or a capsule's axis to another one or to a box. Each pair of cores has a formula for the gap: see RoundGap, SegmentPair and BoxSegment. If
+     * there is hardly any gap, the ConvexPairKernel finds the contact.
      *
-     * <p>The steps to the time of impact are those of all convex shapes: see ConservativeAdvancement. Here a formula gives the gap of each. With hardly any
-     * radius the last gaps are so short that rounding hides their direction, so the ConvexPairKernel finds the time.</p>
+     * <p>Two spheres have a closed form for the time of impact. The steps of others are those of all convex shapes: see ConservativeAdvancement. Here a
+     * formula gives the gap of each. With hardly any radius the last gaps are so short that rounding hides their direction, so the ConvexPairKernel finds
+     * the time.</p>
      *
      * <p>The formulas are in one class, because a call that meets more than four classes is slow in V8.</p>
      *
@@ -28,18 +30,10 @@ package starlogo.intersection
     {
         private var _convex:ConvexPairKernel;
 
-        // The gap at the motion's time, which findGap() finds. Its squared length, which at a box is more precise than the vector; how fast the motion
-        // closes it, times its length; and the size of both structures together, which its rounding error is relative to.
-        private var _gap:CoreGap = new CoreGap();
-        private var _squaredLength:Number = 0;
-        private var _closingSpeedTimesLength:Number = 0;
-        private var _size:Number = 0;
-
-        private var _segmentPair:SegmentPair = new SegmentPair();
-        private var _boxSegment:BoxSegment = new BoxSegment();
-
-        // A place as seen from a box's middle, in the box's axes.
-        private var _place:Vector3D = new Vector3D();
+        // What findGap() writes: the gap, and the cores that it is between, at the motion's time. They are two axes, or an axis as seen from a box.
+        private var _gap:RoundGap = new RoundGap();
+        private var _axes:SegmentPair = new SegmentPair();
+        private var _axisAtBox:BoxSegment = new BoxSegment();
 
         private var _step:ConservativeAdvancement = new ConservativeAdvancement();
 
@@ -50,119 +44,141 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override internal function findTimeOfImpactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override public function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             var step:ConservativeAdvancement = _step;
+            var gap:RoundGap = _gap;
             var margins:Number = motion.margin;
             motion.time = 0;
+            if (b.kind == BoundingStructure.SPHERE)
+            {
+                findGap(a, b, motion, gap);
+                findTimeOfImpactOfSpheres(gap.cores, motion);
+                return;
+            }
             step.reset();
             do
             {
-                findGap(first, second, motion);
-                var radii:Number = _gap.radiusA + _gap.radiusB;
+                findGap(a, b, motion, gap);
+                var radii:Number = gap.cores.radiusA + gap.cores.radiusB;
                 var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
-                var length:Number = Math.sqrt(_squaredLength);
-                step.isTouching = _squaredLength <= touchingDistance * touchingDistance;
-                if (!step.isTouching && radii < Tolerances.DIRECTION * _size)
+                var length:Number = Math.sqrt(gap.squaredLength);
+                step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
+                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.size)
                 {
-                    _convex.findTimeOfImpactInOrder(first, second, motion);
+                    _convex.findTimeOfImpact(a, b, motion);
                     return;
                 }
                 step.separation = length - radii;
-                step.speed = _closingSpeedTimesLength / length;
+                step.speed = gap.closingSpeedTimesLength / length;
             }
             while (step.advance(motion));
         }
 
         /** @inheritDoc */
-        override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            findGap(first, second, motion);
+            var gap:RoundGap = _gap;
+            findGap(a, b, motion, gap);
             // If the gap is longer than this, it has a direction in spite of rounding.
-            var least:Number = Tolerances.DIRECTION * _size;
-            if (_squaredLength > least * least)
+            var least:Number = Tolerances.DIRECTION * gap.size;
+            if (gap.squaredLength > least * least)
             {
-                if (first.kind == BoundingStructure.CAPSULE)
+                // of the points of an axis that are equally close, the one in the middle
+                if (a.kind == BoundingStructure.CAPSULE && b.kind == BoundingStructure.CAPSULE)
                 {
-                    // of the points of its axis that are equally close, the one in the middle
-                    setPoint(first as Capsule, second.kind == BoundingStructure.CAPSULE ? _segmentPair.middleOfU : _boxSegment.middleIn(second as Box));
+                    _axes.moveToMiddle(gap);
                 }
-                out.setFromGap(_gap, motion);
+                else if (a.kind == BoundingStructure.CAPSULE)
+                {
+                    _axisAtBox.moveToMiddle(gap);
+                }
+                setPoint(a, gap);
+                out.setFromGap(gap.cores, motion);
             }
-            else if (_squaredLength > 0)
+            else if (gap.squaredLength > 0)
             {
-                _convex.findContactInOrder(first, second, motion, out);
+                _convex.findContact(a, b, motion, out);
             }
             else
             {
-                _convex.findOverlapInOrder(first, second, motion, out);
+                _convex.findOverlap(a, b, motion, out);
             }
         }
 
         /** @inheritDoc */
-        override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            findGap(first, second, RelativeMotion.NONE);
-            out.setFromGap(_gap);
+            findGap(a, b, RelativeMotion.NONE, _gap);
+            setPoint(a, _gap);
+            out.setFromGap(_gap.cores);
         }
 
-        // Finds the gap at the motion's time. a is a sphere or a capsule; b is a capsule or a box.
-        private function findGap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        // Finds the gap at the motion's time, except for its point: setPoint() sets that. a is a sphere or a capsule.
+        private function findGap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
         {
-            if (b.kind == BoundingStructure.CAPSULE)
+            var isSphere:Boolean = a.kind == BoundingStructure.SPHERE;
+            out.cores.radiusA = out.size = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
+            if (b.kind != BoundingStructure.BOX)
             {
-                findFromAxis(a, b as Capsule, motion);
+                measureToAxis(a, b, motion, out);
+                return;
             }
-            else if (a.kind == BoundingStructure.SPHERE)
+            if (isSphere)
             {
-                findFromSphereToBox(a as Sphere, b as Box, motion);
+                placeCenter((a as Sphere).center, b as Box, motion, out);
             }
             else
             {
-                findFromCapsuleToBox(a as Capsule, b as Box, motion);
+                _axisAtBox.setTo(a as Capsule, b as Box);
+                _axisAtBox.move(b as Box, motion);
+                _axisAtBox.findClosest(out);
+                out.size += Math.abs(_axisAtBox.along[0]) + Math.abs(_axisAtBox.along[1]) + Math.abs(_axisAtBox.along[2]);
             }
+            measureToBox(b as Box, motion, out);
         }
 
-        // Sets the closest point of a capsule's axis.
-        private function setPoint(capsule:Capsule, fraction:Number):void
+        // The axis of a sphere or a capsule goes from its start to its end. That of a sphere is its centre, a segment without length.
+        private static function startOf(round:BoundingStructure):Vector3D
         {
-            var point:Vector3D = _gap.point;
-            var start:Vector3D = capsule.start;
-            var end:Vector3D = capsule.end;
-            point.x = start.x + fraction * (end.x - start.x);
-            point.y = start.y + fraction * (end.y - start.y);
-            point.z = start.z + fraction * (end.z - start.z);
+            return round.kind == BoundingStructure.SPHERE ? (round as Sphere).center : (round as Capsule).start;
         }
 
-        // The axis of a sphere is its centre, a segment without length.
-        private function findFromAxis(a:BoundingStructure, b:Capsule, motion:RelativeMotion):void
+        private static function endOf(round:BoundingStructure):Vector3D
         {
-            var gap:CoreGap = _gap;
-            var segments:SegmentPair = _segmentPair;
-            var isSphere:Boolean = a.kind == BoundingStructure.SPHERE;
-            var start:Vector3D = isSphere ? (a as Sphere).center : (a as Capsule).start;
-            segments.setTo(start, isSphere ? start : (a as Capsule).end, b);
-            gap.radiusA = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
-            segments.move(motion);
-            segments.findClosest(gap);
-            _squaredLength = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
-            _closingSpeedTimesLength = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
-            gap.point.x = start.x + segments.fractionOfU * segments.u.x;
-            gap.point.y = start.y + segments.fractionOfU * segments.u.y;
-            gap.point.z = start.z + segments.fractionOfU * segments.u.z;
-            gap.radiusB = b.radius;
-            _size = Math.abs(segments.u.x) + Math.abs(segments.u.y) + Math.abs(segments.u.z) + (Math.abs(segments.v.x) + Math.abs(segments.v.y) + Math.abs(segments.v.z))
-                + (gap.radiusA + gap.radiusB);
+            return round.kind == BoundingStructure.SPHERE ? (round as Sphere).center : (round as Capsule).end;
         }
 
-        private function findFromSphereToBox(sphere:Sphere, box:Box, motion:RelativeMotion):void
+        // Sets the gap's point: the closest point of a's core.
+        private static function setPoint(a:BoundingStructure, gap:RoundGap):void
         {
-            var place:Vector3D = _place;
-            var center:Vector3D = sphere.center;
-            var boxCenter:Vector3D = box.center;
-            var x:Number = center.x - boxCenter.x + motion.startX;
-            var y:Number = center.y - boxCenter.y + motion.startY;
-            var z:Number = center.z - boxCenter.z + motion.startZ;
+            var point:Vector3D = gap.cores.point;
+            var start:Vector3D = startOf(a);
+            var end:Vector3D = endOf(a);
+            point.x = start.x + gap.fraction * (end.x - start.x);
+            point.y = start.y + gap.fraction * (end.y - start.y);
+            point.z = start.z + gap.fraction * (end.z - start.z);
+        }
+
+        // Measures the gap between two axes.
+        private function measureToAxis(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
+        {
+            var gap:CoreGap = out.cores;
+            var axes:SegmentPair = _axes;
+            axes.setTo(startOf(a), endOf(a), motion, startOf(b), endOf(b));
+            axes.findGap(out);
+            gap.radiusB = b.kind == BoundingStructure.SPHERE ? (b as Sphere).radius : (b as Capsule).radius;
+            out.size += Math.abs(axes.u.x) + Math.abs(axes.u.y) + Math.abs(axes.u.z) + Math.abs(axes.v.x) + Math.abs(axes.v.y) + Math.abs(axes.v.z) + gap.radiusB;
+            out.closingSpeedTimesLength = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
+        }
+
+        // Finds the place of a sphere's centre as seen from a box.
+        private static function placeCenter(center:Vector3D, box:Box, motion:RelativeMotion, out:RoundGap):void
+        {
+            var place:Vector3D = out.place;
+            var x:Number = center.x - box.center.x + motion.startX;
+            var y:Number = center.y - box.center.y + motion.startY;
+            var z:Number = center.z - box.center.z + motion.startZ;
             var time:Number = motion.time;
             var axis:Vector3D = box.axisX;
             place.x = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
@@ -170,39 +186,19 @@ package starlogo.intersection
             place.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
             place.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            measureToBox(box, motion);
-            _gap.point.copyFrom(center);
-            _gap.radiusA = sphere.radius;
-            _size = box.halfX + box.halfY + box.halfZ + sphere.radius;
+            out.fraction = 0;
         }
 
-        private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion):void
+        // Measures the gap between the closest point, whose place is known, and a box.
+        private static function measureToBox(box:Box, motion:RelativeMotion, out:RoundGap):void
         {
-            var segment:BoxSegment = _boxSegment;
-            var place:Vector3D = _place;
-            segment.setTo(capsule, box);
-            segment.move(box, motion);
-            segment.findClosest(box);
-            var fraction:Number = segment.fraction;
-            place.x = segment.start.x + fraction * segment.along.x;
-            place.y = segment.start.y + fraction * segment.along.y;
-            place.z = segment.start.z + fraction * segment.along.z;
-            measureToBox(box, motion);
-            setPoint(capsule, fraction);
-            _gap.radiusA = capsule.radius;
-            _size = Math.abs(segment.along.x) + Math.abs(segment.along.y) + Math.abs(segment.along.z) + box.halfX + box.halfY + box.halfZ + capsule.radius;
-        }
-
-        // Computes the gap between the place and the nearest point of the box, its squared length, and how a motion of the place closes it.
-        private function measureToBox(box:Box, motion:RelativeMotion):void
-        {
-            var gap:CoreGap = _gap;
+            var gap:CoreGap = out.cores;
             var axisX:Vector3D = box.axisX;
             var axisY:Vector3D = box.axisY;
             var axisZ:Vector3D = box.axisZ;
-            var x:Number = _place.x;
-            var y:Number = _place.y;
-            var z:Number = _place.z;
+            var x:Number = out.place.x;
+            var y:Number = out.place.y;
+            var z:Number = out.place.z;
             x = x > box.halfX ? x - box.halfX : (x < -box.halfX ? x + box.halfX : 0);
             y = y > box.halfY ? y - box.halfY : (y < -box.halfY ? y + box.halfY : 0);
             z = z > box.halfZ ? z - box.halfZ : (z < -box.halfZ ? z + box.halfZ : 0);
@@ -210,8 +206,9 @@ package starlogo.intersection
             gap.y = x * axisX.y + y * axisY.y + z * axisZ.y;
             gap.z = x * axisX.z + y * axisY.z + z * axisZ.z;
             gap.radiusB = 0;
-            _squaredLength = x * x + y * y + z * z;
-            _closingSpeedTimesLength = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
+            out.size += box.halfX + box.halfY + box.halfZ;
+            out.squaredLength = x * x + y * y + z * z;
+            out.closingSpeedTimesLength = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
                     + y * (axisY.x * motion.x + axisY.y * motion.y + axisY.z * motion.z)
                     + z * (axisZ.x * motion.x + axisZ.y * motion.y + axisZ.z * motion.z));
         }

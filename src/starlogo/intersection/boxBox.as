@@ -63,9 +63,9 @@ package starlogo.intersection
             return true;
         }
         var pair:BoxPair = BoxPair.SCRATCH;
-        pair.offsetX = x;
-        pair.offsetY = y;
-        pair.offsetZ = z;
+        pair.offset[0] = x;
+        pair.offset[1] = y;
+        pair.offset[2] = z;
         pair.setBoxes(a, b);
         if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair))
         {

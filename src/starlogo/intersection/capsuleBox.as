@@ -20,25 +20,24 @@ package starlogo.intersection
         var segment:BoxSegment = BoxSegment.SCRATCH;
         segment.setTo(capsule, box);
         var radius:Number = capsule.radius * Tolerances.TOUCHING;
+        for (var i:int = 0; i < 3; i++)
+        {
+            var reach:Number = segment.halves[i] + radius;
+            var start:Number = segment.start[i];
+            var end:Number = start + segment.along[i];
+            if (start > reach && end > reach || start < -reach && end < -reach)
+            {
+                return false;
+            }
+        }
+        var gap:RoundGap = RoundGap.SCRATCH;
+        segment.findClosest(gap);
+        var x:Number = gap.place.x;
+        var y:Number = gap.place.y;
+        var z:Number = gap.place.z;
         var halfX:Number = box.halfX;
         var halfY:Number = box.halfY;
         var halfZ:Number = box.halfZ;
-        var endX:Number = segment.start.x + segment.along.x;
-        var endY:Number = segment.start.y + segment.along.y;
-        var endZ:Number = segment.start.z + segment.along.z;
-        if (segment.start.x > halfX + radius && endX > halfX + radius || segment.start.x < -halfX - radius && endX < -halfX - radius
-                || segment.start.y > halfY + radius && endY > halfY + radius || segment.start.y < -halfY - radius && endY < -halfY - radius
-                || segment.start.z > halfZ + radius && endZ > halfZ + radius || segment.start.z < -halfZ - radius && endZ < -halfZ - radius)
-        {
-            return false;
-        }
-        segment.findClosest(box);
-        // For slabs that the segment is known to be inside of no point is computed, because rounding might put it outside, and a radius of 0 allows no
-        // error.
-        var fraction:Number = segment.fraction;
-        var x:Number = segment.isInside && segment.along.x != 0 ? 0 : segment.start.x + fraction * segment.along.x;
-        var y:Number = segment.isInside && segment.along.y != 0 ? 0 : segment.start.y + fraction * segment.along.y;
-        var z:Number = segment.isInside && segment.along.z != 0 ? 0 : segment.start.z + fraction * segment.along.z;
         include "../geometry/squaredToBox.inc";
         return squaredDistance <= radius * radius;
     }

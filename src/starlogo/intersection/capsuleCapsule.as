@@ -1,7 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.bounding.Capsule;
-    import starlogo.convex.CoreGap;
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.compareVectors;
     import starlogo.geometry.Tolerances;
 
@@ -20,13 +20,14 @@ package starlogo.intersection
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
     {
         var segments:SegmentPair = SegmentPair.SCRATCH;
-        var gap:CoreGap = SegmentPair.SCRATCH_GAP;
+        var gap:RoundGap = RoundGap.SCRATCH;
         // Capsules with the same start touch, so their order does not matter.
         var areSwapped:Boolean = compareVectors(a.start, b.start) > 0;
         var first:Capsule = areSwapped ? b : a;
-        segments.setTo(first.start, first.end, areSwapped ? a : b);
-        segments.findClosest(gap);
+        var second:Capsule = areSwapped ? a : b;
+        segments.setTo(first.start, first.end, RelativeMotion.NONE, second.start, second.end);
+        segments.findGap(gap);
         var touchingDistance:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
-        return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z <= touchingDistance * touchingDistance;
+        return gap.squaredLength <= touchingDistance * touchingDistance;
     }
 }

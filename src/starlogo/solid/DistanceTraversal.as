@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
@@ -63,20 +62,21 @@ package starlogo.solid
         {
             var pair:BoxPair = _pair;
             trees.readBoxes(a, b, pair);
+            var absolutes:Vector.<Number> = pair.absolutes;
+            var offset:Vector.<Number> = pair.offset;
+            var halvesA:Vector.<Number> = pair.halvesA;
+            var halvesB:Vector.<Number> = pair.halvesB;
             // measure() widens b's boxes as well
-            pair.bHalfX += trees.pose.margin;
-            pair.bHalfY += trees.pose.margin;
-            pair.bHalfZ += trees.pose.margin;
-            var distance:Number = pair.offsetX < 0 ? -pair.offsetX : pair.offsetX;
-            distance -= pair.aHalfX + pair.abs00 * pair.bHalfX + pair.abs01 * pair.bHalfY + pair.abs02 * pair.bHalfZ;
+            halvesB[0] += trees.pose.margin;
+            halvesB[1] += trees.pose.margin;
+            halvesB[2] += trees.pose.margin;
+            var distance:Number = Math.abs(offset[0]) - (halvesA[0] + absolutes[0] * halvesB[0] + absolutes[1] * halvesB[1] + absolutes[2] * halvesB[2]);
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
-            distance = pair.offsetY < 0 ? -pair.offsetY : pair.offsetY;
-            distance -= pair.aHalfY + pair.abs10 * pair.bHalfX + pair.abs11 * pair.bHalfY + pair.abs12 * pair.bHalfZ;
+            distance = Math.abs(offset[1]) - (halvesA[1] + absolutes[3] * halvesB[0] + absolutes[4] * halvesB[1] + absolutes[5] * halvesB[2]);
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            distance = pair.offsetZ < 0 ? -pair.offsetZ : pair.offsetZ;
-            distance -= pair.aHalfZ + pair.abs20 * pair.bHalfX + pair.abs21 * pair.bHalfY + pair.abs22 * pair.bHalfZ;
+            distance = Math.abs(offset[2]) - (halvesA[2] + absolutes[6] * halvesB[0] + absolutes[7] * halvesB[1] + absolutes[8] * halvesB[2]);
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             var far:Number = limit + 2 * SLACK * (limit + _radii);
@@ -96,20 +96,21 @@ package starlogo.solid
         // Raises the bound to the distance of two boxes along the axes of b's.
         private function estimateAlongAxesOfB(pair:BoxPair):void
         {
-            var rotation:Placement = pair.rotation;
-            var distance:Number = rotation.r00 * pair.offsetX + rotation.r10 * pair.offsetY + rotation.r20 * pair.offsetZ;
-            distance = distance < 0 ? -distance : distance;
-            distance -= pair.abs00 * pair.aHalfX + pair.abs10 * pair.aHalfY + pair.abs20 * pair.aHalfZ + pair.bHalfX;
+            var rotation:Vector.<Number> = pair.rotation;
+            var absolutes:Vector.<Number> = pair.absolutes;
+            var offset:Vector.<Number> = pair.offset;
+            var halvesA:Vector.<Number> = pair.halvesA;
+            var halvesB:Vector.<Number> = pair.halvesB;
+            var distance:Number = Math.abs(rotation[0] * offset[0] + rotation[3] * offset[1] + rotation[6] * offset[2])
+                - (absolutes[0] * halvesA[0] + absolutes[3] * halvesA[1] + absolutes[6] * halvesA[2] + halvesB[0]);
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
-            distance = rotation.r01 * pair.offsetX + rotation.r11 * pair.offsetY + rotation.r21 * pair.offsetZ;
-            distance = distance < 0 ? -distance : distance;
-            distance -= pair.abs01 * pair.aHalfX + pair.abs11 * pair.aHalfY + pair.abs21 * pair.aHalfZ + pair.bHalfY;
+            distance = Math.abs(rotation[1] * offset[0] + rotation[4] * offset[1] + rotation[7] * offset[2])
+                - (absolutes[1] * halvesA[0] + absolutes[4] * halvesA[1] + absolutes[7] * halvesA[2] + halvesB[1]);
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            distance = rotation.r02 * pair.offsetX + rotation.r12 * pair.offsetY + rotation.r22 * pair.offsetZ;
-            distance = distance < 0 ? -distance : distance;
-            distance -= pair.abs02 * pair.aHalfX + pair.abs12 * pair.aHalfY + pair.abs22 * pair.aHalfZ + pair.bHalfZ;
+            distance = Math.abs(rotation[2] * offset[0] + rotation[5] * offset[1] + rotation[8] * offset[2])
+                - (absolutes[2] * halvesA[0] + absolutes[5] * halvesA[1] + absolutes[8] * halvesA[2] + halvesB[2]);
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             raiseBound(Math.sqrt(squared));
@@ -119,7 +120,7 @@ package starlogo.solid
         // nearer.
         private function estimateAlongLine(pair:BoxPair):void
         {
-            var rotation:Placement = pair.rotation;
+            var rotation:Vector.<Number> = pair.rotation;
             var points:ClosestPoints = _nearest;
             var toX:Number = points.b.x - points.a.x;
             var toY:Number = points.b.y - points.a.y;
@@ -129,18 +130,11 @@ package starlogo.solid
             {
                 return;
             }
-            var alongX:Number = toX * rotation.r00 + toY * rotation.r10 + toZ * rotation.r20;
-            var alongY:Number = toX * rotation.r01 + toY * rotation.r11 + toZ * rotation.r21;
-            var alongZ:Number = toX * rotation.r02 + toY * rotation.r12 + toZ * rotation.r22;
-            alongX = alongX < 0 ? -alongX : alongX;
-            alongY = alongY < 0 ? -alongY : alongY;
-            alongZ = alongZ < 0 ? -alongZ : alongZ;
-            var distance:Number = pair.offsetX * toX + pair.offsetY * toY + pair.offsetZ * toZ
-                - alongX * pair.bHalfX - alongY * pair.bHalfY - alongZ * pair.bHalfZ;
-            toX = toX < 0 ? -toX : toX;
-            toY = toY < 0 ? -toY : toY;
-            toZ = toZ < 0 ? -toZ : toZ;
-            raiseBound((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length);
+            var distance:Number = pair.offset[0] * toX + pair.offset[1] * toY + pair.offset[2] * toZ;
+            distance -= Math.abs(toX * rotation[0] + toY * rotation[3] + toZ * rotation[6]) * pair.halvesB[0];
+            distance -= Math.abs(toX * rotation[1] + toY * rotation[4] + toZ * rotation[7]) * pair.halvesB[1];
+            distance -= Math.abs(toX * rotation[2] + toY * rotation[5] + toZ * rotation[8]) * pair.halvesB[2];
+            raiseBound((distance - pair.halvesA[0] * Math.abs(toX) - pair.halvesA[1] * Math.abs(toY) - pair.halvesA[2] * Math.abs(toZ)) / length);
         }
 
         // Raises the bound to a computed distance, less its rounding error.

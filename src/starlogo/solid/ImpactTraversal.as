@@ -39,6 +39,9 @@ package starlogo.solid
         {
             var relative:Placement = trees.pose.placement;
             _pair.setRotation(relative);
+            _pair.motion[0] = motion.x;
+            _pair.motion[1] = motion.y;
+            _pair.motion[2] = motion.z;
             _motion = motion;
             _first = out;
             out.reset();

@@ -1,6 +1,5 @@
 package starlogo.solid
 {
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.TreeCounts;
@@ -76,9 +75,9 @@ package starlogo.solid
                 var b:int = nodes[top + 1];
                 visits++;
                 trees.readBoxes(a, b, pair);
-                pair.aHalfX += margin;
-                pair.aHalfY += margin;
-                pair.aHalfZ += margin;
+                pair.halvesA[0] += margin;
+                pair.halvesA[1] += margin;
+                pair.halvesA[2] += margin;
                 var isLeafA:Boolean = leafDepthsA[a] >= depthA;
                 var isLeafB:Boolean = leafDepthsB[b] >= depthB;
                 var areBoxesTested:Boolean = isLeafA && isLeafB && !isExact;
@@ -119,7 +118,7 @@ package starlogo.solid
             }
             if (dividesB)
             {
-                nearer = nearerChildOfB(_pair, trees.pose.placement, trees.b, b);
+                nearer = nearerChildOfB(_pair, trees.b, b);
                 nodes[top] = a;
                 nodes[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
                 top += 2;
@@ -133,39 +132,31 @@ package starlogo.solid
         // Whether the middle of b's box is so near to a's box that all of b's own axes overlap.
         private static function isDeep(pair:BoxPair):Boolean
         {
-            var x:Number = pair.offsetX;
-            var y:Number = pair.offsetY;
-            var z:Number = pair.offsetZ;
-            var halfX:Number = pair.aHalfX;
-            var halfY:Number = pair.aHalfY;
-            var halfZ:Number = pair.aHalfZ;
+            var x:Number = pair.offset[0];
+            var y:Number = pair.offset[1];
+            var z:Number = pair.offset[2];
+            var halfX:Number = pair.halvesA[0];
+            var halfY:Number = pair.halvesA[1];
+            var halfZ:Number = pair.halvesA[2];
             include "../geometry/squaredToBox.inc";
-            var least:Number = pair.bHalfX < pair.bHalfY ? pair.bHalfX : pair.bHalfY;
-            least = pair.bHalfZ < least ? pair.bHalfZ : least;
+            var halves:Vector.<Number> = pair.halvesB;
+            var least:Number = halves[0] < halves[1] ? halves[0] : halves[1];
+            least = halves[2] < least ? halves[2] : least;
             return squaredDistance <= least * least;
         }
 
         // Returns the child of a node of tree a that is nearer to b's node.
         private static function nearerChildOfA(pair:BoxPair, tree:BoxTree, node:int):int
         {
-            var axis:int = tree.axisOf(node);
-            var along:Number = axis == 0 ? pair.offsetX : (axis == 1 ? pair.offsetY : pair.offsetZ);
-            return along > 0 ? tree.left[node] + 1 : tree.left[node];
+            return pair.offset[tree.axisOf(node)] > 0 ? tree.left[node] + 1 : tree.left[node];
         }
 
         // Returns the child of a node of tree b that is nearer to a's node.
-        private static function nearerChildOfB(pair:BoxPair, rotation:Placement, tree:BoxTree, node:int):int
+        private static function nearerChildOfB(pair:BoxPair, tree:BoxTree, node:int):int
         {
             var axis:int = tree.axisOf(node);
-            var along:Number = rotation.r02 * pair.offsetX + rotation.r12 * pair.offsetY + rotation.r22 * pair.offsetZ;
-            if (axis == 0)
-            {
-                along = rotation.r00 * pair.offsetX + rotation.r10 * pair.offsetY + rotation.r20 * pair.offsetZ;
-            }
-            else if (axis == 1)
-            {
-                along = rotation.r01 * pair.offsetX + rotation.r11 * pair.offsetY + rotation.r21 * pair.offsetZ;
-            }
+            var rotation:Vector.<Number> = pair.rotation;
+            var along:Number = rotation[axis] * pair.offset[0] + rotation[int(axis + 3)] * pair.offset[1] + rotation[int(axis + 6)] * pair.offset[2];
             return along < 0 ? tree.left[node] + 1 : tree.left[node];
         }
     }

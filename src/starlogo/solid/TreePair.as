@@ -46,17 +46,17 @@ package starlogo.solid
             var x:Number = boxes[at] * scale;
             var y:Number = boxes[int(at + 1)] * scale;
             var z:Number = boxes[int(at + 2)] * scale;
-            out.bHalfX = boxes[int(at + 3)] * scale;
-            out.bHalfY = boxes[int(at + 4)] * scale;
-            out.bHalfZ = boxes[int(at + 5)] * scale;
+            out.halvesB[0] = boxes[int(at + 3)] * scale;
+            out.halvesB[1] = boxes[int(at + 4)] * scale;
+            out.halvesB[2] = boxes[int(at + 5)] * scale;
             boxes = a.boxes;
             at = 6 * nodeA;
-            out.offsetX = relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x - boxes[at];
-            out.offsetY = relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y - boxes[int(at + 1)];
-            out.offsetZ = relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z - boxes[int(at + 2)];
-            out.aHalfX = boxes[int(at + 3)];
-            out.aHalfY = boxes[int(at + 4)];
-            out.aHalfZ = boxes[int(at + 5)];
+            out.offset[0] = relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x - boxes[at];
+            out.offset[1] = relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y - boxes[int(at + 1)];
+            out.offset[2] = relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z - boxes[int(at + 2)];
+            out.halvesA[0] = boxes[int(at + 3)];
+            out.halvesA[1] = boxes[int(at + 4)];
+            out.halvesA[2] = boxes[int(at + 5)];
         }
 
         /** The largest distance at which triangles of the two touch: the pose's margin, and the margins of both surfaces. */

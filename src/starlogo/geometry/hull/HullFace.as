@@ -49,10 +49,6 @@ package starlogo.geometry.hull
         /** The farthest point's distance from the plane. */
         public var farthestDistance:Number = 0;
 
-        /** The faces before and after this one in a list of OutsidePoints, or null. */
-        public var before:HullFace = null;
-        public var after:HullFace = null;
-
         /** One of the states. */
         public var state:int = ON_HULL;
 

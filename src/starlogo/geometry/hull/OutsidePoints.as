@@ -17,8 +17,8 @@ package starlogo.geometry.hull
         // For each point, the next point on its face's list, or -1.
         private var _next:Vector.<int>;
 
-        // The faces that have received a list, in a linked list for each level of their farthest points' distances. Each begins with a dummy face.
-        private var _pending:Vector.<HullFace> = new Vector.<HullFace>(LEVELS, true);
+        // The faces that have received a list, in a stack for each level of their farthest points' distances. Some are buried by now.
+        private var _pending:Vector.<Vector.<HullFace>> = new Vector.<Vector.<HullFace>>(LEVELS, true);
 
         /**
          * @param points x, y, z of every point
@@ -29,7 +29,7 @@ package starlogo.geometry.hull
             _next = new Vector.<int>(points.length / 3);
             for (var i:int = 0; i < LEVELS; i++)
             {
-                _pending[i] = new HullFace(points, 0, 0, 0);
+                _pending[i] = new Vector.<HullFace>();
             }
         }
 
@@ -44,15 +44,20 @@ package starlogo.geometry.hull
         {
             for (var level:int = LEVELS - 1; level >= 0; level--)
             {
-                if (_pending[level].after != null)
+                var faces:Vector.<HullFace> = _pending[level];
+                while (faces.length > 0 && faces[faces.length - 1].state == HullFace.BURIED)
                 {
-                    return _pending[level].after;
+                    faces.pop();
+                }
+                if (faces.length > 0)
+                {
+                    return faces[faces.length - 1];
                 }
             }
             return null;
         }
 
-        /** Adds faces that have received all of their points to the lists of faces. */
+        /** Adds faces that have received all of their points to the stacks. */
         public function addPending(faces:Vector.<HullFace>):void
         {
             for each (var face:HullFace in faces)
@@ -64,29 +69,9 @@ package starlogo.geometry.hull
                     {
                         level++;
                     }
-                    face.before = _pending[level];
-                    face.after = face.before.after;
-                    face.before.after = face;
-                    if (face.after != null)
-                    {
-                        face.after.before = face;
-                    }
+                    _pending[level].push(face);
                 }
             }
-        }
-
-        /** Removes a face that was buried from the list that it is on, if there is one. */
-        public function remove(face:HullFace):void
-        {
-            if (face.before != null)
-            {
-                face.before.after = face.after;
-            }
-            if (face.after != null)
-            {
-                face.after.before = face.before;
-            }
-            face.before = face.after = null;
         }
 
         /**

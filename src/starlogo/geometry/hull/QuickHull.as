@@ -154,7 +154,6 @@ package starlogo.geometry.hull
         private function bury(face:HullFace):void
         {
             face.state = HullFace.BURIED;
-            _outside.remove(face);
             _seen.push(face);
         }
 

@@ -13,77 +13,81 @@ package starlogo.intersection.boxes
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
 
+    use namespace engine;
+
     /**
-     * Two boxes, as a record: box b as seen from box a. All numbers are in the axes of a. All pairs of boxes of two trees have the same rotation and
-     * margin. Then these are set once for all of them.
+     * Two boxes, as a record: box b as seen from box a. All vectors are three numbers in the axes of a. All pairs of boxes of two trees have the same
+     * rotation, motion and margin. Then these are set once for all of them.
      *
      * @private
      */
     public final class BoxPair
     {
-        /** The pair that <code>boxBox()</code> sets. */
+        /** The pair that <code>boxBox()</code> sets, and BoxSweep for it. */
         public static const SCRATCH:BoxPair = new BoxPair();
 
-        /** The rotation of b: its columns are the axes of b. Nothing else of the placement counts. */
-        public var rotation:Placement = new Placement();
+        /** The rotation of b, row by row: its columns are the axes of b. Nine numbers. */
+        public var rotation:Vector.<Number> = new Vector.<Number>(9, true);
 
         /** The absolute values of the rotation. */
-        public var abs00:Number = 1;
-        public var abs01:Number = 0;
-        public var abs02:Number = 0;
-        public var abs10:Number = 0;
-        public var abs11:Number = 1;
-        public var abs12:Number = 0;
-        public var abs20:Number = 0;
-        public var abs21:Number = 0;
-        public var abs22:Number = 1;
+        public var absolutes:Vector.<Number> = new Vector.<Number>(9, true);
+
+        /** The vector from a's middle to b's, at time 0 if b moves. boxBox() shortens it in place of a margin. */
+        public var offset:Vector.<Number> = new Vector.<Number>(3, true);
+
+        /** The half-extents of a, and those of b along its own axes. */
+        public var halvesA:Vector.<Number> = new Vector.<Number>(3, true);
+        public var halvesB:Vector.<Number> = new Vector.<Number>(3, true);
+
+        /** The vector that b moves by until time 1. Only BoxSweep reads it. */
+        public var motion:Vector.<Number> = new Vector.<Number>(3, true);
 
         /** The gap across which the boxes still touch: the sum of the margins (see Touching). Only BoxSweep reads it. */
         public var margin:Number = 0;
 
-        /** The vector from a's middle to b's, at time 0 if b moves. boxBox() shortens it in place of a margin. */
-        public var offsetX:Number = 0;
-        public var offsetY:Number = 0;
-        public var offsetZ:Number = 0;
-
-        /** The half-extents of a. */
-        public var aHalfX:Number = 0;
-        public var aHalfY:Number = 0;
-        public var aHalfZ:Number = 0;
-
-        /** The half-extents of b. */
-        public var bHalfX:Number = 0;
-        public var bHalfY:Number = 0;
-        public var bHalfZ:Number = 0;
+        /** Sets all from two boxes. @param motion the motion of a */
+        public function setMoving(a:Box, b:Box, motion:RelativeMotion):void
+        {
+            var fromX:Number = b.center.x - a.center.x - motion.startX;
+            var fromY:Number = b.center.y - a.center.y - motion.startY;
+            var fromZ:Number = b.center.z - a.center.z - motion.startZ;
+            offset[0] = a.axisX.x * fromX + a.axisX.y * fromY + a.axisX.z * fromZ;
+            offset[1] = a.axisY.x * fromX + a.axisY.y * fromY + a.axisY.z * fromZ;
+            offset[2] = a.axisZ.x * fromX + a.axisZ.y * fromY + a.axisZ.z * fromZ;
+            // while a moves, b moves in the opposite direction as seen from a
+            this.motion[0] = -(a.axisX.x * motion.x + a.axisX.y * motion.y + a.axisX.z * motion.z);
+            this.motion[1] = -(a.axisY.x * motion.x + a.axisY.y * motion.y + a.axisY.z * motion.z);
+            this.motion[2] = -(a.axisZ.x * motion.x + a.axisZ.y * motion.y + a.axisZ.z * motion.z);
+            margin = motion.margin;
+            setBoxes(a, b);
+        }
 
         /** Sets the rotation and the half-extents. */
         public function setBoxes(a:Box, b:Box):void
         {
-            aHalfX = a.halfX;
-            aHalfY = a.halfY;
-            aHalfZ = a.halfZ;
-            bHalfX = b.halfX;
-            bHalfY = b.halfY;
-            bHalfZ = b.halfZ;
-            var bX:Vector3D = b.axisX;
-            var bY:Vector3D = b.axisY;
-            var bZ:Vector3D = b.axisZ;
-            var axis:Vector3D = a.axisX;
-            rotation.r00 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
-            rotation.r01 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
-            rotation.r02 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
-            axis = a.axisY;
-            rotation.r10 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
-            rotation.r11 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
-            rotation.r12 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
-            axis = a.axisZ;
-            rotation.r20 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
-            rotation.r21 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
-            rotation.r22 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            halvesA[0] = a.halfX;
+            halvesA[1] = a.halfY;
+            halvesA[2] = a.halfZ;
+            halvesB[0] = b.halfX;
+            halvesB[1] = b.halfY;
+            halvesB[2] = b.halfZ;
+            setRow(0, a.axisX, b);
+            setRow(3, a.axisY, b);
+            setRow(6, a.axisZ, b);
             setAbsolutes(0);
+        }
+
+        // Sets a row of the rotation, from an index on: the components of b's axes along an axis of a.
+        private function setRow(at:int, axis:Vector3D, b:Box):void
+        {
+            rotation[at] = axis.x * b.axisX.x + axis.y * b.axisX.y + axis.z * b.axisX.z;
+            rotation[int(at + 1)] = axis.x * b.axisY.x + axis.y * b.axisY.y + axis.z * b.axisY.z;
+            rotation[int(at + 2)] = axis.x * b.axisZ.x + axis.y * b.axisZ.y + axis.z * b.axisZ.z;
         }
 
         /**
@@ -94,36 +98,36 @@ package starlogo.intersection.boxes
          */
         public function setRotation(placement:Placement, rounding:Number = 0):void
         {
-            rotation.copyRotation(placement);
+            placement.readRows(rotation, 0);
             setAbsolutes(rounding);
+        }
+
+        private function setAbsolutes(rounding:Number):void
+        {
+            for (var i:int = 0; i < 9; i++)
+            {
+                absolutes[i] = rotation[i] < 0 ? rounding - rotation[i] : rounding + rotation[i];
+            }
         }
 
         /** Whether edges of the two boxes are so nearly parallel that their cross product would cancel. */
         public function get areNearlyParallel():Boolean
         {
             var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
-            return abs22 > near || abs21 > near || abs20 > near
-                || abs12 > near || abs11 > near || abs10 > near
-                || abs02 > near || abs01 > near || abs00 > near;
+            for (var i:int = 0; i < 9; i++)
+            {
+                if (absolutes[i] > near)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         /** Whether the z axes of the two boxes are parallel. Then their faces are enough: the cross products of other edges are along z or across it. */
         public function get areZAxesParallel():Boolean
         {
-            return rotation.r02 * rotation.r02 + rotation.r12 * rotation.r12 <= Tolerances.PARALLEL;
-        }
-
-        private function setAbsolutes(rounding:Number):void
-        {
-            abs00 = rotation.r00 < 0 ? rounding - rotation.r00 : rounding + rotation.r00;
-            abs01 = rotation.r01 < 0 ? rounding - rotation.r01 : rounding + rotation.r01;
-            abs02 = rotation.r02 < 0 ? rounding - rotation.r02 : rounding + rotation.r02;
-            abs10 = rotation.r10 < 0 ? rounding - rotation.r10 : rounding + rotation.r10;
-            abs11 = rotation.r11 < 0 ? rounding - rotation.r11 : rounding + rotation.r11;
-            abs12 = rotation.r12 < 0 ? rounding - rotation.r12 : rounding + rotation.r12;
-            abs20 = rotation.r20 < 0 ? rounding - rotation.r20 : rounding + rotation.r20;
-            abs21 = rotation.r21 < 0 ? rounding - rotation.r21 : rounding + rotation.r21;
-            abs22 = rotation.r22 < 0 ? rounding - rotation.r22 : rounding + rotation.r22;
+            return rotation[2] * rotation[2] + rotation[5] * rotation[5] <= Tolerances.PARALLEL;
         }
     }
 }

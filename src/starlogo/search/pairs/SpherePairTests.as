@@ -1,6 +1,5 @@
 package starlogo.search.pairs
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.BinLevel;
@@ -14,7 +13,6 @@ package starlogo.search.pairs
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.SphereSphereKernel;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
     import starlogo.search.SearchCounts;
@@ -35,16 +33,15 @@ package starlogo.search.pairs
 
         private var _counts:SearchCounts;
 
-        // The spheres of two bodies, for their contact. A structure in the world would take memory for each row, and it is wider than its body.
-        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
-        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
+        // The motion of the second body while the first one stands still, for contacts.
+        private static const REVERSED:RelativeMotion = new RelativeMotion();
 
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch, with all that
         // Touching names. So the time of impact includes that too.
         private var _gap:CoreGap = new CoreGap();
 
-        // Finds contacts and closest points.
-        private var _kernel:SphereSphereKernel = new SphereSphereKernel();
+        // The gap for contacts and closest points.
+        private var _centers:CoreGap = new CoreGap();
 
         /** @param counts counts the tests */
         public function SpherePairTests(counts:SearchCounts)
@@ -127,25 +124,58 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            readSphere(a, _sphereA);
-            readSphere(b, _sphereB);
-            _kernel.findContact(_sphereA, _sphereB, motion, out);
+            // rounding must not depend on which one is a: a comes first by its place
+            var order:Number = a.middleX - b.middleX || a.middleY - b.middleY || a.middleZ - b.middleZ || a.halfX - b.halfX;
+            if (order > 0)
+            {
+                REVERSED.setReversed(motion);
+                findContactInOrder(b, a, REVERSED, out);
+                out.swap(motion);
+                return;
+            }
+            findContactInOrder(a, b, motion, out);
         }
 
-        private static function readSphere(body:Body, out:Sphere):void
+        // A structure in the world would take memory for each row, and it is wider than its body.
+        private function findContactInOrder(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var center:Vector3D = out.center;
-            center.x = body.middleX;
-            center.y = body.middleY;
-            center.z = body.middleZ;
-            out.radius = body.halfX;
+            var gap:CoreGap = _centers;
+            gap.point.x = a.middleX;
+            gap.point.y = a.middleY;
+            gap.point.z = a.middleZ;
+            gap.x = a.middleX - b.middleX + motion.startX + motion.time * motion.x;
+            gap.y = a.middleY - b.middleY + motion.startY + motion.time * motion.y;
+            gap.z = a.middleZ - b.middleZ + motion.startZ + motion.time * motion.z;
+            gap.radiusA = a.halfX;
+            gap.radiusB = b.halfX;
+            out.setFromGap(gap, motion);
         }
 
         /** @inheritDoc */
         override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth (readSphere) leaves the gap in place
-            _kernel.findClosest(a.worldStructure(), b.worldStructure(), out);
+            // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth leaves the gap in place
+            var first:Sphere = a.worldStructure() as Sphere;
+            var second:Sphere = b.worldStructure() as Sphere;
+            var areSwapped:Boolean = first.isAfter(second);
+            if (areSwapped)
+            {
+                var earlier:Sphere = second;
+                second = first;
+                first = earlier;
+            }
+            var gap:CoreGap = _centers;
+            gap.point.copyFrom(first.center);
+            gap.x = first.center.x - second.center.x;
+            gap.y = first.center.y - second.center.y;
+            gap.z = first.center.z - second.center.z;
+            gap.radiusA = first.radius;
+            gap.radiusB = second.radius;
+            out.setFromGap(gap);
+            if (areSwapped)
+            {
+                out.swap();
+            }
             out.correct(areTouching);
         }
 

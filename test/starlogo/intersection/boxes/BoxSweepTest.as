@@ -54,9 +54,9 @@ package starlogo.intersection.boxes
         private function setPair(a:Box, b:Box):void
         {
             var between:Vector3D = b.center.subtract(a.center);
-            _pair.offsetX = between.dotProduct(a.axisX);
-            _pair.offsetY = between.dotProduct(a.axisY);
-            _pair.offsetZ = between.dotProduct(a.axisZ);
+            _pair.offset[0] = between.dotProduct(a.axisX);
+            _pair.offset[1] = between.dotProduct(a.axisY);
+            _pair.offset[2] = between.dotProduct(a.axisZ);
             _pair.setBoxes(a, b);
             _pair.margin = TOLERANCE;
         }

@@ -39,11 +39,13 @@ package starlogo.ground
             addSquares(0, firstColumn, firstRow, lastColumn, lastRow);
         }
 
-        /** Begins a search, which is kept until it ends. */
-        internal function begin(search:GroundSearch):void
+        /** Begins a search, which is kept until it ends. Returns whether it begins with cells, because the box comes to few, and not with larger squares. */
+        internal function begin(search:GroundSearch):Boolean
         {
             reset(search);
-            addSquares(_path.firstLevel(), 0, 0, int.MAX_VALUE, int.MAX_VALUE);
+            var level:int = _path.firstLevel();
+            addSquares(level, 0, 0, int.MAX_VALUE, int.MAX_VALUE);
+            return level == 0;
         }
 
         private function reset(search:GroundSearch):void
@@ -59,12 +61,6 @@ package starlogo.ground
         {
             _cell.stop();
             _squaresEnd = 0;
-        }
-
-        /** Whether the search began with cells and not with larger squares, because its box comes to few cells. Its maxDistance is still the first one. */
-        internal function beginsAtCells():Boolean
-        {
-            return _path.firstLevel() == 0;
         }
 
         /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */

@@ -7,6 +7,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.TriangleKernel;
@@ -124,11 +125,7 @@ package starlogo.ground
             }
             else
             {
-                kind = INNER_NODE;
-                setBoxToNode(node);
-                point.x = box.x;
-                point.y = box.y;
-                point.z = box.z;
+                setToInnerNode(node);
             }
         }
 
@@ -149,14 +146,34 @@ package starlogo.ground
             box.halfZ += shapeMargin;
         }
 
-        /** Whether the middle of a node is lower than that of another one. */
-        public function isLower(node:int, other:int):Boolean
+        /** How high the middle of a node is above the model's place, as a multiple of its size. */
+        public function heightOf(node:int):Number
         {
             var boxes:Vector.<Number> = tree.boxes;
             var at:int = 6 * node;
-            var otherAt:int = 6 * other;
-            return _placement.r20 * (boxes[at] - boxes[otherAt]) + _placement.r21 * (boxes[int(at + 1)] - boxes[int(otherAt + 1)])
-                + _placement.r22 * (boxes[int(at + 2)] - boxes[int(otherAt + 2)]) < 0;
+            return _placement.r20 * boxes[at] + _placement.r21 * boxes[int(at + 1)] + _placement.r22 * boxes[int(at + 2)];
+        }
+
+        // Becomes an inner node. The box is the one that setBoxAround() finds of any structure, to the last bit, because walls are cut above and below it.
+        private function setToInnerNode(node:int):void
+        {
+            var boxes:Vector.<Number> = tree.boxes;
+            var at:int = 6 * node;
+            var size:Number = _placement.size;
+            var x:Number = boxes[at] * size;
+            var y:Number = boxes[int(at + 1)] * size;
+            var z:Number = boxes[int(at + 2)] * size;
+            var halfX:Number = boxes[int(at + 3)] * size;
+            var halfY:Number = boxes[int(at + 4)] * size;
+            var halfZ:Number = boxes[int(at + 5)] * size;
+            var margin:Number = Tolerances.ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z) + halfX + halfY + halfZ);
+            kind = INNER_NODE;
+            box.x = point.x = _placement.r00 * x + _placement.r01 * y + _placement.r02 * z + _placement.x;
+            box.y = point.y = _placement.r10 * x + _placement.r11 * y + _placement.r12 * z + _placement.y;
+            box.z = point.z = _placement.r20 * x + _placement.r21 * y + _placement.r22 * z + _placement.z;
+            box.halfX = _unsigned.r00 * halfX + _unsigned.r01 * halfY + _unsigned.r02 * halfZ + margin + _modelMargin;
+            box.halfY = _unsigned.r10 * halfX + _unsigned.r11 * halfY + _unsigned.r12 * halfZ + margin + _modelMargin;
+            box.halfZ = _unsigned.r20 * halfX + _unsigned.r21 * halfY + _unsigned.r22 * halfZ + margin + _modelMargin;
         }
 
         // Becomes a structure of the model.
@@ -180,26 +197,6 @@ package starlogo.ground
             box.halfX = _middleAndHalves[3] + _modelMargin;
             box.halfY = _middleAndHalves[4] + _modelMargin;
             box.halfZ = _middleAndHalves[5] + _modelMargin;
-        }
-
-        // Sets the box to the one around a node's. It is what setBoxAround() finds in more steps; rounding is within the margin of the node's own box.
-        private function setBoxToNode(node:int):void
-        {
-            var boxes:Vector.<Number> = tree.boxes;
-            var at:int = 6 * node;
-            var size:Number = _placement.size;
-            var x:Number = boxes[at] * size;
-            var y:Number = boxes[int(at + 1)] * size;
-            var z:Number = boxes[int(at + 2)] * size;
-            box.x = _placement.r00 * x + _placement.r01 * y + _placement.r02 * z + _placement.x;
-            box.y = _placement.r10 * x + _placement.r11 * y + _placement.r12 * z + _placement.y;
-            box.z = _placement.r20 * x + _placement.r21 * y + _placement.r22 * z + _placement.z;
-            x = boxes[int(at + 3)] * size;
-            y = boxes[int(at + 4)] * size;
-            z = boxes[int(at + 5)] * size;
-            box.halfX = _unsigned.r00 * x + _unsigned.r01 * y + _unsigned.r02 * z + _modelMargin;
-            box.halfY = _unsigned.r10 * x + _unsigned.r11 * y + _unsigned.r12 * z + _modelMargin;
-            box.halfZ = _unsigned.r20 * x + _unsigned.r21 * y + _unsigned.r22 * z + _modelMargin;
         }
     }
 }

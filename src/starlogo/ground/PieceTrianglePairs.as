@@ -163,7 +163,7 @@ package starlogo.ground
             _listEnd = _end;
             if (left > 0)
             {
-                var lower:int = piece.isLower(left, left + 1) ? left : left + 1;
+                var lower:int = piece.heightOf(left) < piece.heightOf(left + 1) ? left : left + 1;
                 push(left + left + 1 - lower);
                 push(lower);
                 return;
@@ -222,7 +222,7 @@ package starlogo.ground
         private function choose(from:Vector.<GroundTriangle>, begin:int, end:int):void
         {
             var isTriangle:Boolean = piece.kind == ModelPiece.TRIANGLE;
-            var gap:Number = search.maxDistance + _source.slack;
+            var gap:Number = search.maxDistance + _source.path.slack;
             var around:GroundBox = piece.box;
             if (!search.motion.isStill)
             {

@@ -46,12 +46,12 @@ package starlogo.ground
             var heights:Vector.<Number> = readNumbers(bytes, columns * rows, bytes.readDouble);
             var bits:Vector.<Number> = readNumbers(bytes, grid.holes.length, bytes.readInt);
             check(flag <= 1);
-            for each (var height:Number in heights)
+            for (var i:int = 0; i < heights.length; i++)
             {
-                check(isInWorld(height, 0, 0));
+                check(isInWorld(heights[i], 0, 0));
             }
             var found:HeightGrid = new HeightGrid(columns, rows, cellWidth, x, y);
-            for (var i:int = 0; i < bits.length; i++)
+            for (i = 0; i < bits.length; i++)
             {
                 found.holes[i] = bits[i];
             }

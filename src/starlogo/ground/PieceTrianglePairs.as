@@ -143,8 +143,7 @@ package starlogo.ground
                 {
                     piece.setToNode(node);
                 }
-                findTriangles();
-                if (piece.kind != ModelPiece.INNER_NODE || !nextTriangle())
+                if (!findTriangles() || piece.kind != ModelPiece.INNER_NODE)
                 {
                     return true;
                 }
@@ -184,45 +183,56 @@ package starlogo.ground
         }
 
         // Lists the triangles near the current piece. If no list is around it, begins to search for them, and lists them only near an inner node that comes to
-        // few cells: each piece inside of a larger one has a search of its own.
-        private function findTriangles():void
+        // few cells: each piece inside of a larger one has a search of its own. Returns false if no triangle is near an inner node.
+        private function findTriangles():Boolean
         {
             _next = _end = _listEnd;
             if (_listEnd > 0)
             {
                 choose(_lists, _listBegin, _listEnd);
-                return;
+                return _end > _listEnd;
             }
             search.shape = piece.hasShapeInBox ? piece.kernel.shape : null;
-            if (_source.begin(search) && piece.kind == ModelPiece.INNER_NODE)
+            var comesToFewCells:Boolean = _source.begin(search);
+            if (piece.kind != ModelPiece.INNER_NODE)
             {
-                choose(_found, 0, findAll());
+                return true;
             }
+            // of a larger one, one triangle tells enough
+            while ((comesToFewCells || _end == 0) && findAt(_end))
+            {
+                choose(_found, _end, _end + 1);
+            }
+            var isNear:Boolean = _end > 0;
+            _end = comesToFewCells ? _end : 0;
+            return isNear;
         }
 
-        // Finds all triangles of the search. Returns how many there are.
-        private function findAll():int
+        // Finds the next triangle of the search. Returns false if there is none.
+        private function findAt(index:int):Boolean
         {
-            var count:int = 0;
-            while (_source.next(_found[count]))
+            if (index == _found.length)
             {
-                _found[count].setPlane();
-                _found[count].box.setToTriangle(_found[count].corners);
-                count++;
-                if (count == _found.length)
-                {
-                    _found.push(new GroundTriangle());
-                }
+                _found.push(new GroundTriangle());
             }
-            return count;
+            var found:GroundTriangle = _found[index];
+            if (!_source.next(found))
+            {
+                return false;
+            }
+            found.setPlane();
+            found.box.setToTriangle(found.corners);
+            return true;
         }
 
         // Lists those of some triangles that the current piece comes near: the box around its motion meets the triangle's own box, and is not all in front of its
-        // plane. If the piece is a triangle, only the plane counts, because the piece may be deepest behind a triangle of the ground that is wholly above it.
+        // plane. If the piece is a triangle and no distance is wanted, only the plane counts, because the piece may be deepest behind a triangle of the ground
+        // that is wholly above it.
         private function choose(from:Vector.<GroundTriangle>, begin:int, end:int):void
         {
-            var isTriangle:Boolean = piece.kind == ModelPiece.TRIANGLE;
-            var gap:Number = search.maxDistance + _source.path.slack;
+            var maxDistance:Number = search.maxDistance;
+            var isPlaneEnough:Boolean = piece.kind == ModelPiece.TRIANGLE && maxDistance == 0;
+            var gap:Number = maxDistance + _source.path.slack;
             var around:GroundBox = piece.box;
             if (!search.motion.isStill)
             {
@@ -230,22 +240,27 @@ package starlogo.ground
                 _swept.extendAlong(search.motion);
                 around = _swept;
             }
-            var minX:Number = around.x - around.halfX - gap;
-            var minY:Number = around.y - around.halfY - gap;
-            var minZ:Number = around.z - around.halfZ - gap;
-            var maxX:Number = around.x + around.halfX + gap;
-            var maxY:Number = around.y + around.halfY + gap;
-            var maxZ:Number = around.z + around.halfZ + gap;
+            var minX:Number = around.x - around.halfX;
+            var minY:Number = around.y - around.halfY;
+            var minZ:Number = around.z - around.halfZ;
+            var maxX:Number = around.x + around.halfX;
+            var maxY:Number = around.y + around.halfY;
+            var maxZ:Number = around.z + around.halfZ;
             for (var i:int = begin; i < end; i++)
             {
                 var near:GroundTriangle = from[i];
                 var box:GroundBox = near.box;
                 var normal:Vector3D = near.plane.normal;
-                // of the corner that is farthest behind the plane. A flat triangle has no plane: then this is NaN, and the triangle counts
-                var height:Number = normal.x * (normal.x > 0 ? minX : maxX) + normal.y * (normal.y > 0 ? minY : maxY) + normal.z * (normal.z > 0 ? minZ : maxZ);
-                if (!(height - near.plane.max > -minDepth) && (isTriangle
-                        || box.x - box.halfX <= maxX && box.x + box.halfX >= minX && box.y - box.halfY <= maxY && box.y + box.halfY >= minY
-                        && box.z - box.halfZ <= maxZ && box.z + box.halfZ >= minZ))
+                // the corner that is farthest behind the plane
+                var x:Number = normal.x > 0 ? minX : maxX;
+                var y:Number = normal.y > 0 ? minY : maxY;
+                var z:Number = normal.z > 0 ? minZ : maxZ;
+                // a flat triangle has no plane: then this is NaN, and the triangle counts
+                var isInFront:Boolean = normal.x * x + normal.y * y + normal.z * z - near.plane.max > gap - minDepth;
+                if (!isInFront && (isPlaneEnough
+                            || box.x - box.halfX - gap <= maxX && box.x + box.halfX + gap >= minX
+                            && box.y - box.halfY - gap <= maxY && box.y + box.halfY + gap >= minY
+                            && box.z - box.halfZ - gap <= maxZ && box.z + box.halfZ + gap >= minZ))
                 {
                     _lists[_end] = near;
                     _end++;

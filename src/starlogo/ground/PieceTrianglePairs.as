@@ -38,8 +38,8 @@ package starlogo.ground
 
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // The triangles that the search has found near an inner node, or first the one that it has found near another piece. Later searches use the same
-        // objects, so frames allocate nothing.
+        // The triangles that the search has found near an inner node. Near any other piece, it writes each to the first one. Later searches use the same objects,
+        // so frames allocate nothing.
         private var _found:Vector.<GroundTriangle> = new <GroundTriangle>[new GroundTriangle()];
 
         // The lists of triangles of the nodes around the current piece, the outermost one's first, and then its own. _listBegin and _listEnd say where the
@@ -66,6 +66,7 @@ package starlogo.ground
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
             search.grid = grid;
+            // the search is for the current piece, whichever it is
             search.box = piece.box;
             search.origin.x = placement.x;
             search.origin.y = placement.y;
@@ -183,7 +184,7 @@ package starlogo.ground
         }
 
         // Lists the triangles near the current piece. If no list is around it, begins to search for them, and lists them only near an inner node that comes to
-        // few cells: each piece inside of a larger one has a search of its own. Returns false if no triangle is near an inner node.
+        // few cells: each piece inside of a larger one has a search of its own. Returns false if surely none is near.
         private function findTriangles():Boolean
         {
             _next = _end = _listEnd;

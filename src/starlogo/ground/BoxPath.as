@@ -21,7 +21,10 @@ package starlogo.ground
         /** The search. Read only. */
         public var search:GroundSearch;
 
-        /** No rounding error of the search's coordinates is larger, and no margin of a triangle (see Touching). Read only. */
+        /**
+         * How much nearer to the box a triangle may be than its numbers say: no rounding error of the search's coordinates is larger, and no margin of a
+         * triangle (see Touching). Read only.
+         */
         public var slack:Number = 0;
 
         /** How the box moves along x and along y. Read only. */

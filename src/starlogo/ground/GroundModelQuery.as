@@ -61,7 +61,7 @@ package starlogo.ground
         /** @inheritDoc */
         override public function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
-            _pairs.pieces.moveTo(motion, time);
+            _pairs.piece.moveTo(motion, time);
             return areTouching();
         }
 
@@ -82,7 +82,7 @@ package starlogo.ground
         // Whether the current piece touches a triangle near it.
         private function touchesTriangle():Boolean
         {
-            var kernel:TriangleKernel = _pairs.pieces.kernel;
+            var kernel:TriangleKernel = _pairs.piece.kernel;
             while (_pairs.nextTriangle())
             {
                 var near:GroundTriangle = _pairs.triangle;
@@ -97,13 +97,13 @@ package starlogo.ground
         /** @inheritDoc */
         override public function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
-            var kernel:TriangleKernel = _pairs.pieces.kernel;
+            var kernel:TriangleKernel = _pairs.piece.kernel;
             var sweep:RelativeMotion = _sweep;
             sweep.copyVector(motion);
             sweep.earliestTime = motion.earliestTime;
             sweep.latestTime = motion.latestTime;
             _firstImpact.reset();
-            _pairs.pieces.moveTo(motion, 0);
+            _pairs.piece.moveTo(motion, 0);
             _pairs.begin(sweep, 0);
             while (_firstImpact.time > 0 && _pairs.next())
             {
@@ -150,7 +150,7 @@ package starlogo.ground
                     return;
                 }
             }
-            _pairs.pieces.moveTo(motion, time);
+            _pairs.piece.moveTo(motion, time);
             penetration.findContact(out);
         }
 
@@ -164,7 +164,7 @@ package starlogo.ground
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
             var origin:Placement = _pairs.search.origin;
-            var kernel:TriangleKernel = _pairs.pieces.kernel;
+            var kernel:TriangleKernel = _pairs.piece.kernel;
             var isFound:Boolean = false;
             for (var limit:Number = _pairs.search.grid.cellWidth; !isFound && limit < FARTHEST; limit *= 2)
             {

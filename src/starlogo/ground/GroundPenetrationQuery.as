@@ -58,8 +58,8 @@ package starlogo.ground
         public function findLift(out:ContactPoint):void
         {
             var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _pairs.pieces.box;
-            _pairs.pieces.findWholeBox();
+            var box:GroundBox = _pairs.piece.box;
+            _pairs.piece.findWholeBox();
             var low:Number = box.z - box.halfZ;
             _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _heightsAround);
             out.setNormal(0, 0, 1);
@@ -93,7 +93,7 @@ package starlogo.ground
                     }
                 }
                 // A structure's middle is inside of it. A tree's piece may be flat, with its middle on the surface. So there it counts only if no triangle touches.
-                if ((isApart || _pairs.pieces.kind == ModelPieces.STRUCTURE) && _pairs.hasPointUnder(depth))
+                if ((isApart || _pairs.piece.kind == ModelPiece.STRUCTURE) && _pairs.hasPointUnder(depth))
                 {
                     return true;
                 }
@@ -112,7 +112,7 @@ package starlogo.ground
             while (_pairs.next())
             {
                 var near:GroundTriangle = _pairs.triangle;
-                near.plane.findBehind(_pairs.pieces.kernel.shape, RelativeMotion.NONE, _tried);
+                near.plane.findBehind(_pairs.piece.kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
                 if (_tried.depth >= out.depth + near.margin && isThrough(near.corners, _tried))
                 {
@@ -123,7 +123,7 @@ package starlogo.ground
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;
                         out.exitBound = MIN_RATIO_PROVEN * out.depth;
-                        _pairs.search.minDepth = out.depth;
+                        _pairs.minDepth = out.depth;
                     }
                 }
             }
@@ -144,14 +144,14 @@ package starlogo.ground
                 if (findOverlap(_tried))
                 {
                     var overlap:Number = _tried.depth;
-                    _pairs.triangle.plane.leadOutside(_pairs.pieces.kernel.shape, RelativeMotion.NONE, _tried);
+                    _pairs.triangle.plane.leadOutside(_pairs.piece.kernel.shape, RelativeMotion.NONE, _tried);
                     var wayOut:Number = _tried.depth;
                     if (!isFound || isBetter(overlap - mostOverlap, wayOut - out.depth, rounding))
                     {
                         isFound = true;
                         mostOverlap = Math.max(overlap, mostOverlap);
                         // no overlap is deeper than the piece is behind the plane, so planes that it is less deep behind no longer count
-                        _pairs.search.minDepth = mostOverlap - rounding;
+                        _pairs.minDepth = mostOverlap - rounding;
                         _pairs.moveToWorld(_tried);
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;
@@ -165,12 +165,12 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap(out:ContactPoint):Boolean
         {
-            if (_pairs.triangle.plane.areApart(_pairs.pieces.kernel.shape, RelativeMotion.NONE))
+            if (_pairs.triangle.plane.areApart(_pairs.piece.kernel.shape, RelativeMotion.NONE))
             {
                 return false;
             }
-            _pairs.pieces.kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
-            return out.depth > 0 || _pairs.pieces.kernel.areTouching(_pairs.triangle.corners);
+            _pairs.piece.kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
+            return out.depth > 0 || _pairs.piece.kernel.areTouching(_pairs.triangle.corners);
         }
 
         // Whether the exit of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.

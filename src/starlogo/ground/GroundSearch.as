@@ -34,8 +34,5 @@ package starlogo.ground
 
         /** A limit: how far from the standing box a triangle still counts. Tall walls are cut beyond it. */
         public var maxDistance:Number = 0;
-
-        /** A limit: how deep a piece of a model must be behind a triangle's plane. PieceTrianglePairs leaves out the triangles of which it clearly is not. */
-        public var minDepth:Number = 0;
     }
 }

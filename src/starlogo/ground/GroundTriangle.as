@@ -19,7 +19,7 @@ package starlogo.ground
         /** A sphere with this radius around the triangle's middle contains it. It need not be the smallest. */
         public var radius:Number = 0;
 
-        /** The box around it; set only for a triangle near an inner node. */
+        /** The box around it; set only for a triangle that is listed. */
         internal var box:GroundBox = new GroundBox();
 
         /** Its plane, and how far from it other shapes still touch it, because its surface is rounded (see Touching). */

@@ -17,12 +17,13 @@ package starlogo.ground
      */
     public final class GroundTriangles
     {
-        private var _path:BoxPath = new BoxPath();
+        /** The path of the box. Read only. */
+        internal var path:BoxPath = new BoxPath();
 
         // Of the current square: how the box passes over it, its heights, and if it is a cell, its triangles.
         private var _passage:SquarePassage = new SquarePassage();
         private var _heights:HeightBounds = new HeightBounds();
-        private var _cell:CellTriangles = new CellTriangles(_path, _passage);
+        private var _cell:CellTriangles = new CellTriangles(path, _passage);
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
@@ -39,17 +40,19 @@ package starlogo.ground
             addSquares(0, firstColumn, firstRow, lastColumn, lastRow);
         }
 
-        /** Begins a search, which is kept until it ends. */
-        internal function begin(search:GroundSearch):void
+        /** Begins a search, which is kept until it ends. Returns whether it begins with cells, because the box comes to few, and not with larger squares. */
+        internal function begin(search:GroundSearch):Boolean
         {
             reset(search);
-            addSquares(_path.firstLevel(), 0, 0, int.MAX_VALUE, int.MAX_VALUE);
+            var level:int = path.firstLevel();
+            addSquares(level, 0, 0, int.MAX_VALUE, int.MAX_VALUE);
+            return level == 0;
         }
 
         private function reset(search:GroundSearch):void
         {
             stop();
-            _path.begin(search);
+            path.begin(search);
             _passage.earliest = 0;
             _passage.latest = search.motion.latestTime;
         }
@@ -59,18 +62,6 @@ package starlogo.ground
         {
             _cell.stop();
             _squaresEnd = 0;
-        }
-
-        /** Whether the search began with cells and not with larger squares, because its box comes to few cells. Its maxDistance is still the first one. */
-        internal function beginsAtCells():Boolean
-        {
-            return _path.firstLevel() == 0;
-        }
-
-        /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */
-        internal function get slack():Number
-        {
-            return _path.slack;
         }
 
         /** Writes the next triangle. Returns false if there is none. */
@@ -91,14 +82,14 @@ package starlogo.ground
         // first is put last, and visited first.
         private function addSquares(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
-            var motion:RelativeMotion = _path.search.motion;
-            lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(_path.alongX.lastCell, level));
-            lastRow = Math.min(lastRow, HeightPyramid.squareOf(_path.alongY.lastCell, level));
-            var left:int = Math.max(firstColumn, _path.firstSquareAlong(_path.alongX, _passage, level));
-            var right:int = Math.min(lastColumn, _path.lastSquareAlong(_path.alongX, _passage, level));
-            var bottom:int = Math.max(firstRow, _path.firstSquareAlong(_path.alongY, _passage, level));
-            var top:int = Math.min(lastRow, _path.lastSquareAlong(_path.alongY, _passage, level));
-            if (_path.search.maxDistance > 0)
+            var motion:RelativeMotion = path.search.motion;
+            lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(path.alongX.lastCell, level));
+            lastRow = Math.min(lastRow, HeightPyramid.squareOf(path.alongY.lastCell, level));
+            var left:int = Math.max(firstColumn, path.firstSquareAlong(path.alongX, _passage, level));
+            var right:int = Math.min(lastColumn, path.lastSquareAlong(path.alongX, _passage, level));
+            var bottom:int = Math.max(firstRow, path.firstSquareAlong(path.alongY, _passage, level));
+            var top:int = Math.min(lastRow, path.lastSquareAlong(path.alongY, _passage, level));
+            if (path.search.maxDistance > 0)
             {
                 addByDistance(level, left, bottom, right, top);
                 return;
@@ -118,8 +109,8 @@ package starlogo.ground
         // Puts squares on the stack for a distance: the row and the column nearest to the box's middle last. A function of its own, so that V8 inlines the other.
         private function addByDistance(level:int, left:int, bottom:int, right:int, top:int):void
         {
-            var nearColumn:int = _path.middleAlong(_path.alongX, level);
-            var nearRow:int = _path.middleAlong(_path.alongY, level);
+            var nearColumn:int = path.middleAlong(path.alongX, level);
+            var nearRow:int = path.middleAlong(path.alongY, level);
             while (bottom <= top)
             {
                 var row:int = nearRow - bottom > top - nearRow ? bottom++ : top--;
@@ -142,8 +133,8 @@ package starlogo.ground
             var level:int = _squares[_squaresEnd];
             var column:int = _squares[int(_squaresEnd + 1)];
             var row:int = _squares[int(_squaresEnd + 2)];
-            _passage.latest = _path.search.motion.latestTime;
-            if (!_path.clipToSquare(level, column, row, _passage))
+            _passage.latest = path.search.motion.latestTime;
+            if (!path.clipToSquare(level, column, row, _passage))
             {
                 return;
             }
@@ -154,7 +145,7 @@ package starlogo.ground
             }
             readHeights(level, column, row);
             if (!_heights.isAllHoles && _passage.minHeight <= _heights.max && _passage.maxHeight >= _heights.min
-                    && !_path.isBeyondMaxDistance(level, column, row, _heights))
+                    && !path.isBeyondMaxDistance(level, column, row, _heights))
             {
                 column <<= HeightPyramid.SHIFT;
                 row <<= HeightPyramid.SHIFT;
@@ -165,11 +156,11 @@ package starlogo.ground
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
         private function readHeights(level:int, column:int, row:int):void
         {
-            var grid:HeightGrid = _path.search.grid;
+            var grid:HeightGrid = path.search.grid;
             grid.pyramid.findRange(level, column, row, column, row, _heights);
-            _heights.min -= _path.search.origin.z;
-            _heights.max -= _path.search.origin.z;
-            if (_path.isAtBorder(level, column, row) || _heights.hasHole)
+            _heights.min -= path.search.origin.z;
+            _heights.max -= path.search.origin.z;
+            if (path.isAtBorder(level, column, row) || _heights.hasHole)
             {
                 _heights.min = Math.min(_heights.min, _passage.minHeight);
             }

@@ -19,14 +19,14 @@ package starlogo.ground
             bytes.writeDouble(grid.x);
             bytes.writeDouble(grid.y);
             bytes.writeBoolean(grid.isBlocky);
-            writeNumbers(bytes, grid.heights, false);
+            writeNumbers(bytes, grid.heights, bytes.writeDouble);
             var holes:Vector.<int> = grid.holes;
             var numbers:Vector.<Number> = new Vector.<Number>(holes.length, true);
             for (var i:int = 0; i < numbers.length; i++)
             {
                 numbers[i] = holes[i];
             }
-            writeNumbers(bytes, numbers, true);
+            writeNumbers(bytes, numbers, bytes.writeInt);
         }
 
         /** Reads a surface: see HeightGrid.readFrom. */
@@ -43,11 +43,15 @@ package starlogo.ground
                         + ") on, in cells " + cellWidth + " wide");
             }
             var flag:int = bytes.readUnsignedByte();
-            var heights:Vector.<Number> = readNumbers(bytes, columns * rows, false);
-            var bits:Vector.<Number> = readNumbers(bytes, grid.holes.length, true);
+            var heights:Vector.<Number> = readNumbers(bytes, columns * rows, bytes.readDouble);
+            var bits:Vector.<Number> = readNumbers(bytes, grid.holes.length, bytes.readInt);
             check(flag <= 1);
+            for (var i:int = 0; i < heights.length; i++)
+            {
+                check(isInWorld(heights[i], 0, 0));
+            }
             var found:HeightGrid = new HeightGrid(columns, rows, cellWidth, x, y);
-            for (var i:int = 0; i < bits.length; i++)
+            for (i = 0; i < bits.length; i++)
             {
                 found.holes[i] = bits[i];
             }
@@ -55,20 +59,14 @@ package starlogo.ground
             return found;
         }
 
-        private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>, areInts:Boolean):void
+        // Writes each number by a method of the bytes.
+        private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>, write:Function):void
         {
             var count:int;
             for (var at:int = 0; at < numbers.length; at += count)
             {
                 count = 1;
-                if (areInts)
-                {
-                    bytes.writeInt(numbers[at]);
-                }
-                else
-                {
-                    bytes.writeDouble(numbers[at]);
-                }
+                write(numbers[at]);
                 if (numbers[at] == 0)
                 {
                     while (at + count < numbers.length && numbers[at + count] == 0)
@@ -88,20 +86,16 @@ package starlogo.ground
             }
         }
 
-        // Fails if there are not so many numbers, or a height is not in the world.
-        private static function readNumbers(bytes:ByteArray, length:int, areInts:Boolean):Vector.<Number>
+        // Reads each number by a method of the bytes. Fails if there are not so many numbers.
+        private static function readNumbers(bytes:ByteArray, length:int, read:Function):Vector.<Number>
         {
             var numbers:Vector.<Number> = new Vector.<Number>(length, true);
             var count:uint;
             for (var at:uint = 0; at < length; at += count)
             {
-                numbers[at] = areInts ? bytes.readInt() : bytes.readDouble();
-                count = 1;
-                if (numbers[at] == 0)
-                {
-                    count = bytes.readUnsignedInt();
-                }
-                check((areInts || isInWorld(numbers[at], 0, 0)) && count > 0 && count <= length - at);
+                numbers[at] = read();
+                count = numbers[at] == 0 ? bytes.readUnsignedInt() : 1;
+                check(count > 0 && count <= length - at);
             }
             return numbers;
         }

@@ -6,6 +6,7 @@ package starlogo.ground
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.solid.ModelTree;
 
     /**
@@ -15,13 +16,13 @@ package starlogo.ground
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
      *
-     * <p>A GroundTriangles finds the triangles near the box of a piece, square by square. An inner node whose box comes to few cells keeps them in a list.
-     * Each piece inside of it takes those near its own box from the list of the node around it, and if it is an inner node, lists these in turn.</p>
+     * <p>A GroundTriangles finds the triangles near the box of a piece, square by square. An inner node whose box comes to few cells lists them. Each
+     * piece inside of it lists those near its own box in turn, chosen from the list of the node around it.</p>
      */
     internal final class PieceTrianglePairs
     {
-        /** The pieces. A query may move the model before it begins. */
-        public var pieces:ModelPieces = new ModelPieces();
+        /** The current piece. A query may move the model before it begins. */
+        public var piece:ModelPiece = new ModelPiece();
 
         /** The current triangle of the ground. Read only. */
         public var triangle:GroundTriangle = null;
@@ -32,22 +33,30 @@ package starlogo.ground
          */
         public var search:GroundSearch = new GroundSearch();
 
+        /** A limit: how deep a piece must be behind a triangle's plane. Triangles of which it clearly is not are left out. */
+        public var minDepth:Number = 0;
+
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // The triangles that the current search has found near an inner node, and then a place for the next one. Later searches use the same objects, so
-        // frames allocate nothing.
-        private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
-        private var _foundCount:int = 0;
+        // The triangles that the search has found near an inner node. Near any other piece, it writes each to the first one. Later searches use the same objects,
+        // so frames allocate nothing.
+        private var _found:Vector.<GroundTriangle> = new <GroundTriangle>[new GroundTriangle()];
 
-        // The lists of the current inner node and of those around it, the outermost one's first.
+        // The lists of triangles of the nodes around the current piece, the outermost one's first, and then its own. _listBegin and _listEnd say where the
+        // list of the node around it is: both are 0 if there is none. _next and _end say where the rest of its own list is.
         private var _lists:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
-
-        // The rest of the list that the current piece takes its triangles from. If there is no list, it ends at 0.
+        private var _listBegin:int = 0;
+        private var _listEnd:int = 0;
         private var _next:int = 0;
         private var _end:int = 0;
 
+        // The pieces that come next, from the last one on. Each has three numbers: its node, or -1 - i for the tree's triangle i; and where the list of the node
+        // around it begins and ends.
+        private var _waiting:Vector.<int> = new Vector.<int>();
+        private var _waitingEnd:int = 0;
+
         // The box around the whole motion of the current piece.
-        private var _box:GroundBox = new GroundBox();
+        private var _swept:GroundBox = new GroundBox();
 
         // The ground under a point of the current piece, and its normal there.
         private var _under:GroundPoint = new GroundPoint();
@@ -57,10 +66,12 @@ package starlogo.ground
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
             search.grid = grid;
+            // the search is for the current piece, whichever it is
+            search.box = piece.box;
             search.origin.x = placement.x;
             search.origin.y = placement.y;
             search.origin.z = placement.z;
-            pieces.setTo(tree, structure, placement, depth);
+            piece.setModel(tree, structure, placement, depth);
         }
 
         /**
@@ -72,12 +83,13 @@ package starlogo.ground
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
-            _source.stop();
-            _next = _end = 0;
-            pieces.begin();
             search.motion = motion;
             search.maxDistance = maxDistance;
-            search.minDepth = 0;
+            minDepth = 0;
+            _source.stop();
+            _next = _end = _listBegin = _listEnd = 0;
+            _waitingEnd = 0;
+            push(0);
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
@@ -93,149 +105,177 @@ package starlogo.ground
             return true;
         }
 
-        /** Goes on to the next piece. Returns false if there is none. */
-        public function nextPiece():Boolean
-        {
-            while (pieces.next())
-            {
-                _next = pieces.listBegin;
-                _end = pieces.listEnd;
-                setBox();
-                if (pieces.kind != ModelPieces.INNER_NODE || !divideIfNear())
-                {
-                    return true;
-                }
-            }
-            return false;
-        }
-
-        /** Goes on to the next triangle near the piece: in its list, or if it has none, in the search. Returns false if there is none. */
+        /** Goes on to the next triangle near the piece: in its list, or if no list is around it, in the search. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            var isNear:Boolean = _end == 0 && findNext();
-            while (!isNear && _next < _end)
+            if (_next < _end)
             {
                 triangle = _lists[_next];
                 _next++;
-                isNear = isNearBox();
             }
-            if (isNear)
+            else if (_listEnd == 0 && _source.next(_found[0]))
             {
-                // SquareSeparation may read the margin of any triangle: none is more than its slack
-                pieces.kernel.shape.margin = pieces.shapeMargin + triangle.margin;
-            }
-            return isNear;
-        }
-
-        // Sets the box to that of the current piece. If the piece has no list, begins to search for the triangles near it.
-        private function setBox():void
-        {
-            if (pieces.kind == ModelPieces.TRIANGLE)
-            {
-                _box.setToTriangle(pieces.corners);
-                _box.halfX += pieces.shapeMargin;
-                _box.halfY += pieces.shapeMargin;
-                _box.halfZ += pieces.shapeMargin;
+                triangle = _found[0];
+                triangle.setPlane();
             }
             else
             {
-                _box.copyFrom(pieces.box);
-            }
-            if (_end == 0)
-            {
-                search.box.copyFrom(_box);
-                search.shape = pieces.hasShapeInBox ? pieces.kernel.shape : null;
-                _source.begin(search);
-                _foundCount = 0;
-            }
-            if (!search.motion.isStill)
-            {
-                _box.extendAlong(search.motion);
-            }
-        }
-
-        // Divides the current piece, an inner node, if a triangle is near it. Returns whether there is one.
-        private function divideIfNear():Boolean
-        {
-            // its list comes after the list of the node around it
-            var begin:int = _end;
-            var end:int = _end;
-            if (!nextTriangle())
-            {
                 return false;
             }
-            // without a list, each piece inside of it has a search of its own
-            if (begin > 0 || _source.beginsAtCells())
-            {
-                do
-                {
-                    _lists[end] = triangle;
-                    end++;
-                }
-                while (nextTriangle());
-            }
-            pieces.divide(begin, end);
+            // SquareSeparation may read the margin of any triangle: none is more than its slack
+            piece.kernel.shape.margin = piece.shapeMargin + triangle.margin;
             return true;
         }
 
-        // Finds the next triangle of the search. For the smallest pieces all that it finds count: those of the cells under the box, at the box's heights.
-        private function findNext():Boolean
+        /** Goes on to the next piece. Returns false if there is none. */
+        public function nextPiece():Boolean
         {
-            if (_foundCount == _found.length)
+            while (_waitingEnd > 0)
             {
-                _found.push(new GroundTriangle());
-            }
-            triangle = _found[_foundCount];
-            while (_source.next(triangle))
-            {
-                triangle.setPlane();
-                if (pieces.kind != ModelPieces.INNER_NODE)
+                _waitingEnd -= 3;
+                _listBegin = _waiting[int(_waitingEnd + 1)];
+                _listEnd = _waiting[int(_waitingEnd + 2)];
+                var node:int = _waiting[_waitingEnd];
+                if (node < 0)
+                {
+                    piece.setToTriangle(-1 - node);
+                }
+                else
+                {
+                    piece.setToNode(node);
+                }
+                if (!findTriangles() || piece.kind != ModelPiece.INNER_NODE)
                 {
                     return true;
                 }
-                triangle.box.setToTriangle(triangle.corners);
-                if (isNearBox())
-                {
-                    _foundCount++;
-                    return true;
-                }
+                divide(node);
             }
             return false;
         }
 
-        // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane. If the piece is a
-        // triangle, only the plane counts, because the piece may be deepest behind a triangle of the ground whose box is wholly above its own.
-        private function isNearBox():Boolean
+        // Divides the current piece, an inner node: the pieces inside of it come next, and its list is around them. The lower one of two nodes comes first,
+        // because the ground is below.
+        private function divide(node:int):void
         {
-            var box:GroundBox = _box;
-            var other:GroundBox = triangle.box;
-            var gap:Number = search.maxDistance + _source.slack;
-            var x:Number = box.x - other.x;
-            var y:Number = box.y - other.y;
-            var z:Number = box.z - other.z;
-            var farX:Number = box.halfX + other.halfX + gap;
-            var farY:Number = box.halfY + other.halfY + gap;
-            var farZ:Number = box.halfZ + other.halfZ + gap;
-            if (pieces.kind != ModelPieces.TRIANGLE && (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY))
+            var tree:BoxTree = piece.tree;
+            var left:int = tree.left[node];
+            _listBegin = _listEnd;
+            _listEnd = _end;
+            if (left > 0)
+            {
+                var lower:int = piece.heightOf(left) < piece.heightOf(left + 1) ? left : left + 1;
+                push(left + left + 1 - lower);
+                push(lower);
+                return;
+            }
+            for (var i:int = tree.endPrimitive[node] - 1; i >= tree.firstPrimitive[node]; i--)
+            {
+                push(-1 - i);
+            }
+        }
+
+        // Puts a node or a triangle before the pieces that come next, with the list around it.
+        private function push(node:int):void
+        {
+            _waiting[_waitingEnd] = node;
+            _waiting[int(_waitingEnd + 1)] = _listBegin;
+            _waiting[int(_waitingEnd + 2)] = _listEnd;
+            _waitingEnd += 3;
+        }
+
+        // Lists the triangles near the current piece. If no list is around it, begins to search for them, and lists them only near an inner node that comes to
+        // few cells: each piece inside of a larger one has a search of its own. Returns false if surely none is near.
+        private function findTriangles():Boolean
+        {
+            _next = _end = _listEnd;
+            if (_listEnd > 0)
+            {
+                choose(_lists, _listBegin, _listEnd);
+                return _end > _listEnd;
+            }
+            search.shape = piece.hasShapeInBox ? piece.kernel.shape : null;
+            var comesToFewCells:Boolean = _source.begin(search);
+            if (piece.kind != ModelPiece.INNER_NODE)
+            {
+                return true;
+            }
+            // of a larger one, one triangle tells enough
+            while ((comesToFewCells || _end == 0) && findAt(_end))
+            {
+                choose(_found, _end, _end + 1);
+            }
+            var isNear:Boolean = _end > 0;
+            _end = comesToFewCells ? _end : 0;
+            return isNear;
+        }
+
+        // Finds the next triangle of the search. Returns false if there is none.
+        private function findAt(index:int):Boolean
+        {
+            if (index == _found.length)
+            {
+                _found.push(new GroundTriangle());
+            }
+            var found:GroundTriangle = _found[index];
+            if (!_source.next(found))
             {
                 return false;
             }
-            // the corner of the box that is farthest behind the plane
-            var normal:Vector3D = triangle.plane.normal;
-            var cornerX:Number = normal.x > 0 ? box.x - box.halfX : box.x + box.halfX;
-            var cornerY:Number = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
-            var cornerZ:Number = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
-            // a flat triangle has no plane: then this is NaN, and the triangle counts
-            return !(normal.x * cornerX + normal.y * cornerY + normal.z * cornerZ - triangle.plane.max > gap - search.minDepth);
+            found.setPlane();
+            found.box.setToTriangle(found.corners);
+            return true;
+        }
+
+        // Lists those of some triangles that the current piece comes near: the box around its motion meets the triangle's own box, and is not all in front of its
+        // plane. If the piece is a triangle and no distance is wanted, only the plane counts, because the piece may be deepest behind a triangle of the ground
+        // that is wholly above it.
+        private function choose(from:Vector.<GroundTriangle>, begin:int, end:int):void
+        {
+            var maxDistance:Number = search.maxDistance;
+            var isPlaneEnough:Boolean = piece.kind == ModelPiece.TRIANGLE && maxDistance == 0;
+            var gap:Number = maxDistance + _source.path.slack;
+            var around:GroundBox = piece.box;
+            if (!search.motion.isStill)
+            {
+                _swept.copyFrom(around);
+                _swept.extendAlong(search.motion);
+                around = _swept;
+            }
+            var minX:Number = around.x - around.halfX;
+            var minY:Number = around.y - around.halfY;
+            var minZ:Number = around.z - around.halfZ;
+            var maxX:Number = around.x + around.halfX;
+            var maxY:Number = around.y + around.halfY;
+            var maxZ:Number = around.z + around.halfZ;
+            for (var i:int = begin; i < end; i++)
+            {
+                var near:GroundTriangle = from[i];
+                var box:GroundBox = near.box;
+                var normal:Vector3D = near.plane.normal;
+                // the corner that is farthest behind the plane
+                var x:Number = normal.x > 0 ? minX : maxX;
+                var y:Number = normal.y > 0 ? minY : maxY;
+                var z:Number = normal.z > 0 ? minZ : maxZ;
+                // a flat triangle has no plane: then this is NaN, and the triangle counts
+                var isInFront:Boolean = normal.x * x + normal.y * y + normal.z * z - near.plane.max > gap - minDepth;
+                if (!isInFront && (isPlaneEnough
+                            || box.x - box.halfX - gap <= maxX && box.x + box.halfX + gap >= minX
+                            && box.y - box.halfY - gap <= maxY && box.y + box.halfY + gap >= minY
+                            && box.z - box.halfZ - gap <= maxZ && box.z + box.halfZ + gap >= minZ))
+                {
+                    _lists[_end] = near;
+                    _end++;
+                }
+            }
         }
 
         /** Finds the ground under a point of the current piece. Returns whether the point is at least this deep under it. */
         public function hasPointUnder(depth:Number):Boolean
         {
-            _under.x = pieces.point.x + search.origin.x;
-            _under.y = pieces.point.y + search.origin.y;
+            _under.x = piece.point.x + search.origin.x;
+            _under.y = piece.point.y + search.origin.y;
             search.grid.findHeight(_under);
-            return _under.height - depth >= pieces.point.z + search.origin.z;
+            return _under.height - depth >= piece.point.z + search.origin.z;
         }
 
         /**
@@ -248,11 +288,11 @@ package starlogo.ground
             {
                 return true;
             }
-            if (!pieces.hasShapeInBox)
+            if (!piece.hasShapeInBox)
             {
                 return false;
             }
-            var shape:ConvexShape = pieces.kernel.shape;
+            var shape:ConvexShape = piece.kernel.shape;
             // hasPointUnder() has left there the ground under the piece's point
             search.grid.findNormal(_under, _normal);
             var at:int = shape.support(_normal, -1);

@@ -120,7 +120,6 @@ package starlogo.queries.motion
                 if (!out.startsPenetrating)
                 {
                     out.contact.depth = 0;
-                    ShrunkSweep.setAlong(_sweepOfRow.start, body.motion, _sweepOfRow.impact.time, out.shrunkPlace);
                     leaveOutPush(body, out);
                 }
                 setEnd(body, out.fraction, out.place);

@@ -106,7 +106,7 @@ package starlogo.queries
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, minFloorNormalZ);
-            _slider.sweep.depenetration.restoreClearance(body, slid.place);
+            _slider.depenetration.restoreClearance(body, slid.place);
             if (minFloorNormalZ == Slider.HORIZONTAL_Z)
             {
                 // the clearance leads off slopes by their normals

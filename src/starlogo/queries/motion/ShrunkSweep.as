@@ -28,10 +28,7 @@ package starlogo.queries.motion
         private static const GRAZING_SINE:Number = 0.1;
 
         /** The shrunk body on this motion, and the motion's tolerances. Read only. */
-        public var shrunk:ShrunkBody = new ShrunkBody();
-
-        /** Frees the shrunk body where a motion starts. Between motions it gets other bodies out of overlaps. Read only. */
-        public var depenetration:Depenetration = new Depenetration(shrunk);
+        public var shrunk:ShrunkBody;
 
         /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */
         public var start:Vector3D = new Vector3D();
@@ -45,6 +42,8 @@ package starlogo.queries.motion
         /** The rows that can stop the motion. Rows that a plane stands for, and one-way rows that the body passes, leave them. */
         public var obstacles:IntList = new IntList();
 
+        private var _depenetration:Depenetration;
+
         // What the shrunk body meets first, and how it meets one row. They change places.
         private var _first:Impact = new Impact();
         private var _met:Impact = new Impact();
@@ -52,6 +51,13 @@ package starlogo.queries.motion
         // A motion past a row, and the place of the body at its end.
         private var _relative:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
+
+        /** @param depenetration has the shrunk body, and frees it where a motion starts */
+        public function ShrunkSweep(depenetration:Depenetration)
+        {
+            _depenetration = depenetration;
+            shrunk = depenetration.shrunk;
+        }
 
         /**
          * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps.
@@ -80,7 +86,7 @@ package starlogo.queries.motion
                     return first;
                 }
             }
-            depenetration.depenetrate(this);
+            _depenetration.depenetrate(start, obstacles, planes, pushes);
             return planes.count > 0 ? null : findStoppingImpact(start, motion);
         }
 

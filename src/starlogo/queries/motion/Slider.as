@@ -27,8 +27,11 @@ package starlogo.queries.motion
         // A slide turns at this many contacts at most.
         private static const MAX_CONTACTS:int = 8;
 
+        /** Frees its motions from overlaps where they start. Others may use it between two motions. Read only. */
+        public var depenetration:Depenetration = new Depenetration();
+
         /** Sweeps its motions. Others may use it between two motions. Read only. */
-        public var sweep:ShrunkSweep = new ShrunkSweep();
+        public var sweep:ShrunkSweep = new ShrunkSweep(depenetration);
 
         // What remains of a slide.
         private var _remaining:RemainingMotion = new RemainingMotion();

@@ -85,7 +85,7 @@ package starlogo.queries.motion
             {
                 walk.floorRow = -1;
             }
-            _slider.sweep.depenetration.restoreClearance(walk.body, walk.place);
+            _slider.depenetration.restoreClearance(walk.body, walk.place);
             return walk;
         }
 
@@ -161,7 +161,7 @@ package starlogo.queries.motion
         // together are as long as the depths of all overlaps at the beginning. Platforms have lifted the agent before.
         private function pushOutOfDeep(walk:WalkState, lift:Number):void
         {
-            var depenetration:Depenetration = _slider.sweep.depenetration;
+            var depenetration:Depenetration = _slider.depenetration;
             var left:Number = depenetration.measureOverlaps(walk.body, walk.place, _deepest);
             if (left > 0)
             {

@@ -25,7 +25,7 @@ package starlogo.queries.motion
             var wrong:Complaints = new Complaints();
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
             var body:MovingBody = new MovingBody(seen);
-            var sweep:ShrunkSweep = new ShrunkSweep();
+            var sweep:ShrunkSweep = new ShrunkSweep(new Depenetration());
             var from:Vector3D = new Vector3D();
             var motion:Vector3D = new Vector3D();
             var ofBuilding:int = 0;

@@ -8,7 +8,7 @@ package starlogo.blocks
     import starlogo.queries.AgentFilter;
     import starlogo.queries.Footing;
     import starlogo.queries.WalkOptions;
-    import starlogo.queries.motion.SlideLimits;
+    import starlogo.queries.motion.Slider;
 
     use namespace engine;
 
@@ -121,7 +121,7 @@ package starlogo.blocks
         {
             checkNumber("forward", agent, steps, "steps");
             _detection.queries.moves.slide(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), 0, _solid,
-                    SlideLimits.HORIZONTAL);
+                    Slider.HORIZONTAL_Z);
         }
 
         /**

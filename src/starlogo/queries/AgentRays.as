@@ -8,7 +8,6 @@ package starlogo.queries
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossing;
-    import starlogo.queries.rays.HitPool;
     import starlogo.queries.rays.RayHits;
     import starlogo.queries.rays.RowRayTest;
     import starlogo.queries.rays.RowSurfaceTest;
@@ -33,8 +32,6 @@ package starlogo.queries
         // How the ray of a question meets rows.
         private var _rayHitsPool:NestedPool;
 
-        private var _hitPool:HitPool = new HitPool(RayHit);
-
         // For the line between two agents.
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
@@ -50,7 +47,7 @@ package starlogo.queries
             requireGiven("seen", seen);
             _seen = seen;
             _rowRays = new RowRayTest(seen);
-            _rowSurfaces = new RowSurfaceTest(seen);
+            _rowSurfaces = new RowSurfaceTest(seen, _rowRays);
             _rayHitsPool = new NestedPool(seen, RayHits);
         }
 
@@ -81,9 +78,7 @@ package starlogo.queries
          */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
-            var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            var hits:RayHits = collect(collector, false);
-            return hits.end(collector) == 0 ? null : hits.writeHit(0, hit || new RayHit());
+            return findHits(begin(1, requireOrigin(origin), direction, maxDistance, filter), false).writeFirst(hit);
         }
 
         /**
@@ -113,14 +108,7 @@ package starlogo.queries
                 out:Vector.<RayHit> = null, allSurfaces:Boolean = false):Vector.<RayHit>
         {
             var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
-            var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var hits:RayHits = collect(collector, allSurfaces);
-            _hitPool.resize(listed, hits.end(collector));
-            for (var i:int = 0; i < listed.length; i++)
-            {
-                hits.writeHit(i, listed[i]);
-            }
-            return listed;
+            return findHits(collector, allSurfaces).writeAll(out || new Vector.<RayHit>());
         }
 
         /**
@@ -205,23 +193,24 @@ package starlogo.queries
             return collector;
         }
 
-        // Finds the rows that the ray meets. Returns the first surface of each that it crosses, or all of them.
-        private function collect(collector:Collector, allSurfaces:Boolean):RayHits
+        // Finds the hits of the ray: with the first surface of each row that it crosses, or with all of them.
+        private function findHits(collector:Collector, allSurfaces:Boolean):RayHits
         {
             var hits:RayHits = RayHits(_rayHitsPool.top);
-            hits.clear();
+            hits.begin(collector);
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
-                if (allSurfaces ? _rowSurfaces.findSurfaces(row, _ray, hits) : _rowRays.findRayEntry(row, _ray, _entry))
+                if (allSurfaces)
                 {
-                    if (!allSurfaces)
-                    {
-                        hits.add(row, _ray, _entry);
-                    }
-                    collector.add(row, hits.firstDistanceOf(row));
+                    _rowSurfaces.addSurfaces(row, _ray, hits);
+                }
+                else if (_rowRays.findRayEntry(row, _ray, _entry))
+                {
+                    hits.add(row, _ray, _entry);
                     _ray.to = collector.limit;
                 }
             }
+            hits.end();
             return hits;
         }
     }

@@ -9,12 +9,10 @@ package starlogo.queries
     import starlogo.geometry.copyVector;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
-    import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.TouchSweep;
     import starlogo.queries.motion.WalkPlanner;
     import starlogo.queries.motion.WalkState;
-    import starlogo.queries.rays.HitPool;
     import starlogo.queries.rays.HitWriter;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -39,7 +37,6 @@ package starlogo.queries
         private var _planner:WalkPlanner;
         private var _touchSweep:TouchSweep = new TouchSweep();
         private var _writer:HitWriter;
-        private var _hitPool:HitPool = new HitPool(ShapeHit);
 
         // The body that a question moves. A walk has a body of its own.
         private var _bodyPool:NestedPool;
@@ -48,7 +45,7 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _writer = new HitWriter(seen);
+            _writer = new HitWriter(seen, ShapeHit);
             _planner = new WalkPlanner(seen, _slider);
             _bodyPool = new NestedPool(seen, MovingBody);
         }
@@ -102,16 +99,15 @@ package starlogo.queries
             return first.fraction;
         }
 
-        /** See AgentMotions.slide. There may be limits: with SlideLimits.HORIZONTAL the agent stays at its height. */
-        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits = null):Number
+        /** See AgentMotions.slide. With Slider.HORIZONTAL_Z the agent stays at its height, and slopes stop it as walls do. */
+        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, minFloorNormalZ:Number = 0):Number
         {
             _seen.requireMovable(agent, "slide");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
-            limits ||= SlideLimits.NONE;
-            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, limits);
-            _slider.sweep.depenetration.restoreClearance(body, slid.place);
-            if (limits === SlideLimits.HORIZONTAL)
+            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, minFloorNormalZ);
+            _slider.depenetration.restoreClearance(body, slid.place);
+            if (minFloorNormalZ == Slider.HORIZONTAL_Z)
             {
                 // the clearance leads off slopes by their normals
                 slid.place.z = body.from.z;
@@ -179,7 +175,7 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             findTouches(body, filter);
-            _hitPool.resize(hits, _touchSweep.count);
+            _writer.resize(hits, _touchSweep.count);
             for (var i:int = 0; i < hits.length; i++)
             {
                 writeHit(_touchSweep.touchAt(i), hits[i]);

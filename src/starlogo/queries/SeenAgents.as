@@ -52,6 +52,9 @@ package starlogo.queries
          */
         engine var callbackDepth:int = 0;
 
+        /** @private The heights of the rows in the last updates. */
+        engine var heights:SeenHeights = new SeenHeights();
+
         private var _source:QuerySource;
 
         // Functions that add the tests which some questions need.
@@ -63,8 +66,6 @@ package starlogo.queries
         private var _placeTree:RowTree = new RowTree();
         private var _extentTree:RowTree = new RowTree();
         private var _isUpdated:Boolean = false;
-
-        private var _heights:SeenHeights = new SeenHeights();
 
         // The body of an agent that has changed since the last update.
         private var _spare:Body = new Body();
@@ -137,7 +138,7 @@ package starlogo.queries
             next.read(agents);
             next.readEnvironment(terrain == null ? null : terrain.environmentAgent, null);
             table = next;
-            _heights.read(table);
+            heights.read(table);
             narrowPhase = newNarrowPhase;
             if (isOtherNarrowPhase)
             {
@@ -171,12 +172,6 @@ package starlogo.queries
             table.readRow(row);
             _placeTree.enlargeAround(row, table.places, null);
             _extentTree.enlargeAround(row, table.extents, table.extents);
-        }
-
-        /** @private See SeenHeights.riseOf. */
-        engine function riseOf(row:int):Number
-        {
-            return _heights.riseOf(table, row);
         }
 
         /**

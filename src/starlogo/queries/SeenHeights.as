@@ -11,7 +11,7 @@ package starlogo.queries
      *
      * @private
      */
-    internal final class SeenHeights
+    public final class SeenHeights
     {
         // In place of a revision: no agent had the row. It is less than the revision of any jump.
         private static const NO_AGENT:int = -2;

@@ -57,6 +57,18 @@ package starlogo.queries
             }
         }
 
+        // Two balls hold the walker, and the pushes do not lead out of both.
+        [Test]
+        public function inTheAirWhatOverlapsLeadsNeitherUpNorDown():void
+        {
+            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(landOf(BuiltInModel.sphere())));
+            var walker:Agent = agentAt("sphere", 0, 0, 5);
+            queries.update(new <Agent>[walker, agentAt("sphere", 0.9, 0, 5.1), agentAt("sphere", -0.3, 0, 5.1)]);
+            _options.fall = 0;
+            queries.walk(walker, -0.7, 0, _options, _footing);
+            assertTrue(walker.z + " after " + _footing.pushed, !_footing.stands && 5 - walker.z <= _footing.pushed);
+        }
+
         [Test]
         public function whatGrowsAndWhatComesPushes():void
         {

@@ -37,8 +37,8 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
-        // The body that is pushed, with the tolerances of its motion.
-        private var _shrunk:ShrunkBody;
+        /** The shrunk body that is freed, with the tolerances of its motion. Others may use it between two calls. Read only. */
+        public var shrunk:ShrunkBody = new ShrunkBody();
 
         // The contact of an overlap, or of the next push.
         private var _contact:ContactPoint = new ContactPoint();
@@ -50,28 +50,24 @@ package starlogo.queries.motion
         // Where the body touches a row, for a push off that row.
         private var _touchingPlace:Vector3D = new Vector3D();
 
-        /** @param shrunk the shrunk body that is freed. A motion has begun it; restoreClearance and measureOverlaps begin it themselves */
-        public function Depenetration(shrunk:ShrunkBody)
-        {
-            _shrunk = shrunk;
-        }
-
         /**
-         * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
+         * Frees the shrunk body from the obstacles that it overlaps where its motion starts. The motion has begun it.
          *
-         * @param sweep the motion of the shrunk body. It receives the planes of overlaps that stay, and the pushes. A row with a plane leaves its obstacles.
-         *     Its start changes if the body is pushed
+         * @param start where the motion starts, which changes if the body is pushed
+         * @param obstacles the rows that can stop the motion. A row with a plane leaves them
+         * @param planes receives the contacts of the overlaps that stay
+         * @param pushes receives the contacts of the pushes
          */
-        public function depenetrate(sweep:ShrunkSweep):void
+        public function depenetrate(start:Vector3D, obstacles:IntList, planes:ContactList, pushes:ContactList):void
         {
-            if (replaceByPlanes(sweep, false) && !pushOutOfShallow(sweep))
+            if (replaceByPlanes(start, obstacles, planes, false) && !pushOutOfShallow(start, obstacles, pushes))
             {
-                replaceByPlanes(sweep, true);
+                replaceByPlanes(start, obstacles, planes, true);
             }
-            if (_shrunk.isFlat && sweep.planes.count == 0)
+            if (shrunk.isFlat && planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOffTouches(sweep.obstacles, sweep.start);
+                pushOffTouches(obstacles, start);
             }
         }
 
@@ -83,7 +79,7 @@ package starlogo.queries.motion
          */
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            _shrunk.begin(body, body.rows, place, NO_MOTION);
+            shrunk.begin(body, body.rows, place, NO_MOTION);
             pushOffTouches(body.rows, place);
         }
 
@@ -99,11 +95,11 @@ package starlogo.queries.motion
         {
             var sum:Number = 0;
             deepest.depth = 0;
-            _shrunk.begin(body, body.rows, place, NO_MOTION);
+            shrunk.begin(body, body.rows, place, NO_MOTION);
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.values[i];
-                if (!body.isOneWay(row) && _shrunk.touches(row, place) && findDeepOverlap(row, place))
+                if (!body.isOneWay(row) && shrunk.touches(row, place) && findDeepOverlap(row, place))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -118,44 +114,44 @@ package starlogo.queries.motion
         // Finds the contact for a push out of a row that the shrunk body touches at a place. Returns whether the overlap is deep, and the push is not too long.
         private function findDeepOverlap(row:int, place:Vector3D):Boolean
         {
-            var body:MovingBody = _shrunk.body;
+            var body:MovingBody = shrunk.body;
             body.findSeparatingContact(row, place, _contact);
-            if (body.isShallow(row, _contact) || !_shrunk.fullBodyOverlaps(row, place))
+            if (body.isShallow(row, _contact) || !shrunk.fullBodyOverlaps(row, place))
             {
                 return false;
             }
             body.warnIfInside(row, _contact);
-            _contact.depth += _shrunk.clearance;
+            _contact.depth += shrunk.clearance;
             // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
             return body.bodyOf(row).kind != ModelShape.TREE || _contact.depth <= body.fullBody.halfAlong(_contact);
         }
 
         // Pushes the body out of the obstacles that the shrunk body overlaps. Returns whether it gets free. If an overlap is deep, or if the body is between two
         // rows, it stays where it is, and there are no pushes.
-        private function pushOutOfShallow(sweep:ShrunkSweep):Boolean
+        private function pushOutOfShallow(start:Vector3D, obstacles:IntList, pushes:ContactList):Boolean
         {
-            beginPushes(sweep.start);
+            beginPushes(start);
             var isFree:Boolean = false;
             for (var round:int = 0; !isFree; round++)
             {
                 isFree = true;
-                for (var i:int = 0; i < sweep.obstacles.count; i++)
+                for (var i:int = 0; i < obstacles.count; i++)
                 {
-                    var row:int = sweep.obstacles.values[i];
-                    if (_shrunk.touches(row, _pushedPlace))
+                    var row:int = obstacles.values[i];
+                    if (shrunk.touches(row, _pushedPlace))
                     {
                         findContactOfPush(row, _pushedPlace, round);
-                        if (!_shrunk.body.isShallow(row, _contact) || !tryPush(_contact.depth + _shrunk.clearance, round))
+                        if (!shrunk.body.isShallow(row, _contact) || !tryPush(_contact.depth + shrunk.clearance, round))
                         {
-                            sweep.pushes.clear();
+                            pushes.clear();
                             return false;
                         }
-                        sweep.pushes.add(_contact, row);
+                        pushes.add(_contact, row);
                         isFree = false;
                     }
                 }
             }
-            sweep.start.copyFrom(_pushedPlace);
+            start.copyFrom(_pushedPlace);
             return true;
         }
 
@@ -193,7 +189,7 @@ package starlogo.queries.motion
         private function tryPush(length:Number, round:int):Boolean
         {
             // a flat body may be led back in the first round: of the two ways out of a sheet, one may lead into the next row
-            var isBetween:Boolean = leadsBack() && !(_shrunk.isFlat && round == 0);
+            var isBetween:Boolean = leadsBack() && !(shrunk.isFlat && round == 0);
             if (isBetween || round == MAX_ROUNDS)
             {
                 return false;
@@ -205,17 +201,17 @@ package starlogo.queries.motion
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
         // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
-        private function replaceByPlanes(sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
+        private function replaceByPlanes(start:Vector3D, obstacles:IntList, planes:ContactList, alsoShallow:Boolean):Boolean
         {
             var isLeft:Boolean = false;
             var i:int = 0;
-            while (i < sweep.obstacles.count)
+            while (i < obstacles.count)
             {
-                var row:int = sweep.obstacles.values[i];
-                var isOverlapped:Boolean = _shrunk.touches(row, sweep.start);
-                if (isOverlapped && (_shrunk.body.passesOneWayAt(row, sweep.start, _contact) || tryReplaceByPlane(row, sweep, alsoShallow)))
+                var row:int = obstacles.values[i];
+                var isOverlapped:Boolean = shrunk.touches(row, start);
+                if (isOverlapped && (shrunk.body.passesOneWayAt(row, start, _contact) || tryReplaceByPlane(row, start, planes, alsoShallow)))
                 {
-                    sweep.obstacles.remove(row);
+                    obstacles.remove(row);
                 }
                 else
                 {
@@ -229,23 +225,23 @@ package starlogo.queries.motion
         // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body gets
         // smaller, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
         // the row, not the body. Returns whether the plane stands.
-        private function tryReplaceByPlane(row:int, sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
+        private function tryReplaceByPlane(row:int, start:Vector3D, planes:ContactList, alsoShallow:Boolean):Boolean
         {
-            var body:MovingBody = _shrunk.body;
-            body.findContact(row, sweep.start, _contact);
+            var body:MovingBody = shrunk.body;
+            body.findContact(row, start, _contact);
             if (body.isShallow(row, _contact))
             {
                 if (!alsoShallow)
                 {
                     return false;
                 }
-                body.findSeparatingContact(row, sweep.start, _contact);
+                body.findSeparatingContact(row, start, _contact);
             }
-            if (_shrunk.shrinkUntilFree(row, sweep.start) || !_shrunk.fullBodyOverlaps(row, sweep.start))
+            if (shrunk.shrinkUntilFree(row, start) || !shrunk.fullBodyOverlaps(row, start))
             {
                 return false;
             }
-            sweep.planes.add(_contact, row);
+            planes.add(_contact, row);
             body.warnIfInside(row, _contact);
             return true;
         }
@@ -253,14 +249,14 @@ package starlogo.queries.motion
         // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.
         private function findPushOff(row:int, round:int):Number
         {
-            var body:MovingBody = _shrunk.body;
+            var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(row) || body.passesOneWayAt(row, _touchingPlace, _contact) || (!_shrunk.isFlat && _shrunk.touches(row, _pushedPlace)))
+            if (!findTouchingPlace(row) || body.passesOneWayAt(row, _touchingPlace, _contact) || (!shrunk.isFlat && shrunk.touches(row, _pushedPlace)))
             {
                 return 0;
             }
             findContactOfPush(row, _touchingPlace, round);
-            var most:Number = SLOPS_OF_TOUCH * _shrunk.slop;
+            var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
             if (_contact.depth > most && !body.isShallow(row, _contact))
             {
                 return 0;
@@ -275,18 +271,18 @@ package starlogo.queries.motion
                 // the body is so thin that the shortest way out there leads to the other side of the row: it goes on from the row along the axis
                 _contact.setNormal(toX, toY, toZ);
                 _contact.normalise();
-                return _shrunk.clearance;
+                return shrunk.clearance;
             }
-            return Math.min(_contact.depth, most) - ahead + _shrunk.clearance;
+            return Math.min(_contact.depth, most) - ahead + shrunk.clearance;
         }
 
         // Finds the contact for a push away from a row that the body touches at a place. From a few rounds on it separates the two. Before, it need not if that
         // leads on from the last push. The contact of a flat body with a part that is as flat may point to either side, so it separates, if that is a short way.
         private function findContactOfPush(row:int, place:Vector3D, round:int):void
         {
-            var body:MovingBody = _shrunk.body;
+            var body:MovingBody = shrunk.body;
             var mustSeparate:Boolean = round >= FIRST_SEPARATING_ROUND;
-            if (!mustSeparate && !_shrunk.isFlat)
+            if (!mustSeparate && !shrunk.isFlat)
             {
                 body.findContact(row, place, _contact);
                 if (!leadsBack())
@@ -295,7 +291,7 @@ package starlogo.queries.motion
                 }
             }
             body.findSeparatingContact(row, place, _contact);
-            if (!mustSeparate && _shrunk.isFlat && !body.isShallow(row, _contact))
+            if (!mustSeparate && shrunk.isFlat && !body.isShallow(row, _contact))
             {
                 // exactly in the planes of a row, the way out of all its parts may be long
                 body.findContact(row, place, _contact);
@@ -313,15 +309,15 @@ package starlogo.queries.motion
         private function findTouchingPlace(row:int):Boolean
         {
             _touchingPlace.copyFrom(_pushedPlace);
-            var touches:Boolean = _shrunk.fullBodyTouches(row, _touchingPlace);
-            for (var i:int = 0; _shrunk.isFlat && !touches && i < 6; i++)
+            var touches:Boolean = shrunk.fullBodyTouches(row, _touchingPlace);
+            for (var i:int = 0; shrunk.isFlat && !touches && i < 6; i++)
             {
-                var beside:Number = i < 3 ? -_shrunk.clearance / 2 : _shrunk.clearance / 2;
+                var beside:Number = i < 3 ? -shrunk.clearance / 2 : shrunk.clearance / 2;
                 var x:Number = i % 3 == 2 ? beside : 0;
                 var y:Number = i % 3 == 1 ? beside : 0;
                 var z:Number = i % 3 == 0 ? beside : 0;
                 _touchingPlace.setTo(_pushedPlace.x + x, _pushedPlace.y + y, _pushedPlace.z + z);
-                touches = _shrunk.fullBodyTouches(row, _touchingPlace);
+                touches = shrunk.fullBodyTouches(row, _touchingPlace);
             }
             return touches;
         }

@@ -3,17 +3,16 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * What stops the shrunk body on a motion, as a record: a row that it meets, or a plane of an overlap, which stops it at once. ShrunkSweep writes
-     * it. A slide turns its normal (Slider).
+     * What the shrunk body meets on a motion, as a record. ShrunkSweep writes it. A slide turns its normal (Slider).
      *
      * @private
      */
     public final class Impact
     {
-        /** The row that is met; -1 if none is. */
+        /** The row that is met. */
         public var row:int = -1;
 
-        /** When the shrunk body meets it, as a fraction of the motion. Without a row, this and all below mean nothing. */
+        /** When the shrunk body meets it, as a fraction of the motion. */
         public var time:Number = Infinity;
 
         /** The contact of the shrunk body at <code>time</code>. Its normal points against the motion. */
@@ -21,20 +20,5 @@ package starlogo.queries.motion
 
         /** Whether no contact points against the motion. Then the normal is the opposite of the motion. */
         public var isNormalFallback:Boolean = false;
-
-        /** Whether a row is met. */
-        public function get hasRow():Boolean
-        {
-            return row >= 0;
-        }
-
-        /** Becomes a copy of another impact. */
-        public function copyFrom(other:Impact):void
-        {
-            row = other.row;
-            time = other.time;
-            contact.copyFrom(other.contact);
-            isNormalFallback = other.isNormalFallback;
-        }
     }
 }

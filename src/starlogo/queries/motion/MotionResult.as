@@ -25,7 +25,7 @@ package starlogo.queries.motion
         /** The row of that contact; -1 if it has met nothing, or a slide only what showed no contact (Impact.isNormalFallback). */
         public var row:int = -1;
 
-        /** TouchSweep alone: the place of the body where the shrunk body touches the row. */
+        /** The place of the body where the shrunk body touches the row. A slide does not set it, nor a motion that a plane stops. */
         public var shrunkPlace:Vector3D = new Vector3D();
 
         /** Whether the body starts in an overlap for which a plane stands: a deep one, or one that pushes did not end. In TouchSweep it stops the body. */

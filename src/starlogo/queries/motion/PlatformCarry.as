@@ -109,7 +109,7 @@ package starlogo.queries.motion
         public function carry(walk:WalkState):void
         {
             _rows.copyExcept(walk.body.rows, walk.platformRow);
-            var end:MotionResult = _slider.slide(walk.body, _rows, walk.place, walk.carry, SlideLimits.NONE);
+            var end:MotionResult = _slider.slide(walk.body, _rows, walk.place, walk.carry);
             if (end.fraction < 1 && leadsIntoPlatform(walk, end.place))
             {
                 var straight:MotionResult = _slider.moveStraight(walk.body, _rows, walk.place, walk.carry);
@@ -138,7 +138,7 @@ package starlogo.queries.motion
             var rows:IntList = walk.body.rows;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var rise:Number = rows.values[i] == walk.platformRow ? 0 : _seen.riseOf(rows.values[i]);
+                var rise:Number = rows.values[i] == walk.platformRow ? 0 : _seen.heights.riseOf(_seen.table, rows.values[i]);
                 if (rise > lift)
                 {
                     // as the row sees it, the agent has come down by the rise. It is lifted to where the row stops this way down. The row does not stop it if

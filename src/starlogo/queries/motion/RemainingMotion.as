@@ -30,11 +30,10 @@ package starlogo.queries.motion
         /** The length of the way so far. Read only. */
         public var travelled:Number = 0;
 
-        private var _limits:SlideLimits = SlideLimits.NONE;
-
-        // The desired motion, and how far it may go on the ground plane at most.
+        // The desired motion, how far it may go on the ground plane at most, and the least slope of a fall; 0 if it is no fall.
         private var _desired:Vector3D = new Vector3D();
         private var _maxHorizontal:Number = Infinity;
+        private var _fallSlope:Number = 0;
 
         // Finds the shortest displacement from the end of the desired motion out of the planes.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
@@ -42,22 +41,24 @@ package starlogo.queries.motion
         /**
          * Begins a slide.
          *
-         * @param limits how it may go
+         * @param maxHorizontal how far it may go on the ground plane
+         * @param fallSlope the least slope on which a fall goes on, as a tangent; 0 for what is no fall. In each corner a fall begins straight down again. So
+         *     it has no momentum, and never goes up
          */
-        public function begin(desired:Vector3D, limits:SlideLimits):void
+        public function begin(desired:Vector3D, maxHorizontal:Number, fallSlope:Number):void
         {
-            _limits = limits;
-            _maxHorizontal = limits.maxHorizontal;
+            _maxHorizontal = maxHorizontal;
+            _fallSlope = fallSlope;
             _desired.copyFrom(desired);
             motion.copyFrom(desired);
             travelled = 0;
             shorten();
         }
 
-        /** Begins a corner: the remaining motion becomes the desired one. A fall begins each corner straight down again. */
+        /** Begins a corner: the remaining motion becomes the desired one, except of a fall. */
         public function beginCorner():void
         {
-            if (_limits.fallSlope == 0)
+            if (_fallSlope == 0)
             {
                 _desired.copyFrom(motion);
             }
@@ -122,7 +123,7 @@ package starlogo.queries.motion
         private function shorten():void
         {
             var wide:Number = horizontalLength();
-            var isTooLevel:Boolean = _limits.fallSlope > 0 && -motion.z < _limits.fallSlope * wide * (1 - STEEPNESS_ROUNDING);
+            var isTooLevel:Boolean = _fallSlope > 0 && -motion.z < _fallSlope * wide * (1 - STEEPNESS_ROUNDING);
             if (wide > _maxHorizontal)
             {
                 motion.scaleBy(Math.max(0, _maxHorizontal / wide));

@@ -28,10 +28,7 @@ package starlogo.queries.motion
         private static const GRAZING_SINE:Number = 0.1;
 
         /** The shrunk body on this motion, and the motion's tolerances. Read only. */
-        public var shrunk:ShrunkBody = new ShrunkBody();
-
-        /** Frees the shrunk body where a motion starts. Between motions it gets other bodies out of overlaps. Read only. */
-        public var depenetration:Depenetration = new Depenetration(shrunk);
+        public var shrunk:ShrunkBody;
 
         /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */
         public var start:Vector3D = new Vector3D();
@@ -45,41 +42,52 @@ package starlogo.queries.motion
         /** The rows that can stop the motion. Rows that a plane stands for, and one-way rows that the body passes, leave them. */
         public var obstacles:IntList = new IntList();
 
-        /** What the shrunk body meets next, once it is known. A search for it overwrites it. */
-        public var impact:Impact = new Impact();
+        private var _depenetration:Depenetration;
 
-        // How the shrunk body meets one row.
+        // What the shrunk body meets first, and how it meets one row. They change places.
+        private var _first:Impact = new Impact();
         private var _met:Impact = new Impact();
 
         // A motion past a row, and the place of the body at its end.
         private var _relative:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
 
+        /** @param depenetration has the shrunk body, and frees it where a motion starts */
+        public function ShrunkSweep(depenetration:Depenetration)
+        {
+            _depenetration = depenetration;
+            shrunk = depenetration.shrunk;
+        }
+
         /**
-         * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps. Afterwards the impact is what stops the
-         * motion. If there are planes, it is unknown.
+         * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps.
          *
          * @param rows the rows that may be in its way
          * @param from where the motion should start
+         * @return what stops the motion, valid until the next search; null if nothing does. If there are planes, it is null, because they come first
          */
-        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
+        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):Impact
         {
             copyVector(from, start);
             pushes.clear();
             planes.clear();
             obstacles.copyFrom(rows);
-            impact.row = -1;
             shrunk.begin(body, rows, from, motion);
-            // a flat body and a one-way row need a test of where the body stands, because a sweep cannot tell
-            var mayOverlap:Boolean = shrunk.isFlat || (findFirstImpact(start, motion, true) && (impact.time == 0 || body.isOneWay(impact.row)));
-            if (mayOverlap && hasLength(motion))
+            if (!hasLength(motion))
             {
-                depenetration.depenetrate(this);
-                if (planes.count == 0)
+                return null;
+            }
+            // a flat body and a one-way row need a test of where the body stands, because a sweep cannot tell
+            if (!shrunk.isFlat)
+            {
+                var first:Impact = findFirstImpact(start, motion, true);
+                if (first == null || (first.time > 0 && !body.isOneWay(first.row)))
                 {
-                    findStoppingImpact(start, motion);
+                    return first;
                 }
             }
+            _depenetration.depenetrate(start, obstacles, planes, pushes);
+            return planes.count > 0 ? null : findStoppingImpact(start, motion);
         }
 
         /**
@@ -87,38 +95,46 @@ package starlogo.queries.motion
          *
          * @param rows the rows that may be in its way
          * @param from where the motion should start
-         * @param out receives all but places and the wall. Its fraction is 0 for a plane
+         * @param out receives all but its place and the wall. Its fraction is 0 for a plane
          */
         public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            begin(body, rows, from, motion);
+            var impact:Impact = begin(body, rows, from, motion);
+            out.row = -1;
+            out.fraction = 1;
             out.startsPenetrating = planes.count > 0;
-            var crossesPlane:Boolean = out.startsPenetrating && findCrossedPlane(motion);
-            if (out.startsPenetrating && !crossesPlane)
+            if (out.startsPenetrating)
             {
-                findStoppingImpact(start, motion);
+                if (findCrossedPlane(motion, out))
+                {
+                    return;
+                }
+                impact = findStoppingImpact(start, motion);
             }
-            out.fraction = crossesPlane ? 0 : (impact.hasRow ? findTouchTime(start, motion) : 1);
-            out.row = impact.row;
-            out.contact.copyFrom(impact.contact);
+            if (impact != null)
+            {
+                out.row = impact.row;
+                out.fraction = findTouchTime(impact, start, motion);
+                out.contact.copyFrom(impact.contact);
+                setAlong(start, motion, impact.time, out.shrunkPlace);
+            }
         }
 
         /**
-         * Finds the impact: which obstacle the shrunk body meets first, also if it is a one-way row that the body passes. It meets none if the motion has
-         * no length. Of those that are met at the same time, the first one in their order counts. An obstacle whose contact does not point against the
-         * motion counts a clearance later, unless it is met at once. So if a corner of the shrunk body enters a floor exactly between two tiles, along the
-         * side of one of them, the top of the other stops it.
+         * Finds which obstacle the shrunk body meets first, also if it is a one-way row that the body passes. It meets none if the motion has no length.
+         * Of those that are met at the same time, the first one in their order counts. An obstacle whose contact does not point against the motion
+         * counts a clearance later, unless it is met at once. So if a corner of the shrunk body enters a floor exactly between two tiles, along the side
+         * of one of them, the top of the other stops it.
          *
          * @param from where the body is
          * @param motion what is left of the motion
          * @param isStart whether the motion starts there. Then the body may be inside of obstacles, and meets these at once
-         * @return whether anything is met
+         * @return valid until the next search; null if it meets none
          */
-        public function findFirstImpact(from:Vector3D, motion:Vector3D, isStart:Boolean = false):Boolean
+        public function findFirstImpact(from:Vector3D, motion:Vector3D, isStart:Boolean = false):Impact
         {
             var end:int = hasLength(motion) ? obstacles.count : 0;
             var first:Number = RelativeMotion.NEVER;
-            impact.row = -1;
             for (var i:int = 0; i < end && first > 0; i++)
             {
                 if (findRowImpact(obstacles.values[i], from, motion, isStart, _met))
@@ -126,21 +142,30 @@ package starlogo.queries.motion
                     var time:Number = _met.isNormalFallback && _met.time > 0 ? _met.time + shrunk.clearance / motion.length : _met.time;
                     if (time < first)
                     {
+                        var met:Impact = _met;
+                        _met = _first;
+                        _first = met;
                         first = time;
-                        impact.copyFrom(_met);
                     }
                 }
             }
-            return impact.hasRow;
+            return first < RelativeMotion.NEVER ? _first : null;
         }
 
-        /** Finds the impact: which obstacle stops the shrunk body first. One-way rows that the body passes leave the obstacles. */
-        public function findStoppingImpact(from:Vector3D, motion:Vector3D):void
+        /**
+         * Finds which obstacle stops the shrunk body first. One-way rows that the body passes leave the obstacles.
+         *
+         * @return valid until the next search; null if none does
+         */
+        public function findStoppingImpact(from:Vector3D, motion:Vector3D):Impact
         {
-            while (findFirstImpact(from, motion) && shrunk.body.passesOneWay(impact.row, impact.contact))
+            var first:Impact = findFirstImpact(from, motion);
+            while (first != null && shrunk.body.passesOneWay(first.row, first.contact))
             {
-                obstacles.remove(impact.row);
+                obstacles.remove(first.row);
+                first = findFirstImpact(from, motion);
             }
+            return first;
         }
 
         /** Whether a row near the way of a body would stop its shrunk body on a straight motion. What that overlaps at the beginning stops it too. */
@@ -151,13 +176,13 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds when the full body touches the row of the impact. The body touches the contact's plane earlier than the shrunk body, because its surface
+         * Finds when the full body touches the row of an impact. The body touches the contact's plane earlier than the shrunk body, because its surface
          * is in front of the shrunk body's at the contact. Only an inner face of a concave body is behind the shrunk body's, and touches later.
          * Mostly the touch of the plane is the touch. But at a grazing angle, the body touches a curved surface much nearer to where the shrunk body
          * does. So there, and at an inner face, the body is swept too. Its time counts if it is between the two. If the body touches the row
          * elsewhere, before or after, the nearer one of the two counts.
          */
-        public function findTouchTime(from:Vector3D, motion:Vector3D):Number
+        public function findTouchTime(impact:Impact, from:Vector3D, motion:Vector3D):Number
         {
             var contact:ContactPoint = impact.contact;
             var fullBody:Body = shrunk.body.fullBody;
@@ -196,26 +221,24 @@ package starlogo.queries.motion
             return motion.lengthSquared > Tolerances.VANISHING;
         }
 
-        // Finds the plane that the motion crosses at the steepest angle. It becomes the impact, without a triangle, because the plane stands for all
+        // Finds the plane that the motion crosses at the steepest angle. It stops the motion at once, without a triangle, because the plane stands for all
         // triangles of the row. Returns whether the motion crosses one.
-        private function findCrossedPlane(motion:Vector3D):Boolean
+        private function findCrossedPlane(motion:Vector3D, out:MotionResult):Boolean
         {
             var least:Number = -RemainingMotion.PARALLEL_SINE * motion.length;
-            impact.row = -1;
             for (var i:int = 0; i < planes.count; i++)
             {
                 var along:Number = planes.contacts[i].along(motion);
                 if (along < least)
                 {
                     least = along;
-                    impact.row = planes.rows[i];
-                    impact.contact.copyFrom(planes.contacts[i]);
+                    out.row = planes.rows[i];
+                    out.contact.copyFrom(planes.contacts[i]);
+                    out.contact.triangle = -1;
+                    out.fraction = 0;
                 }
             }
-            impact.time = 0;
-            impact.isNormalFallback = false;
-            impact.contact.triangle = -1;
-            return impact.hasRow;
+            return out.hasContact;
         }
 
         // Finds when and how a row stops the shrunk body. If the first contact does not point against the motion, the shrunk body leaves there what

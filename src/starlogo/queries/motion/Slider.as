@@ -15,6 +15,9 @@ package starlogo.queries.motion
      */
     public final class Slider
     {
+        /** The least z of the normal of a horizontal floor. */
+        public static const HORIZONTAL_Z:Number = 1 - 1e-12;
+
         // If the next row is met within this many slops, this is the same corner.
         private static const SAME_CORNER:Number = 4;
 
@@ -24,15 +27,17 @@ package starlogo.queries.motion
         // A slide turns at this many contacts at most.
         private static const MAX_CONTACTS:int = 8;
 
+        /** Frees its motions from overlaps where they start. Others may use it between two motions. Read only. */
+        public var depenetration:Depenetration = new Depenetration();
+
         /** Sweeps its motions. Others may use it between two motions. Read only. */
-        public var sweep:ShrunkSweep = new ShrunkSweep();
+        public var sweep:ShrunkSweep = new ShrunkSweep(depenetration);
 
         // What remains of a slide.
         private var _remaining:RemainingMotion = new RemainingMotion();
 
-        // A way straight up or down, and the limits of a slide down.
+        // A way straight up or down.
         private var _vertical:Vector3D = new Vector3D();
-        private var _fall:SlideLimits = new SlideLimits(-Infinity);
 
         // How a slide ends, and a straight motion.
         private var _slid:MotionResult = new MotionResult();
@@ -44,43 +49,65 @@ package starlogo.queries.motion
          * @param rows the rows that may be in its way
          * @param from where it begins
          * @param motion the whole motion
-         * @param limits how it may go
+         * @param minFloorNormalZ the least z of the normal of a floor. What is steeper is an upright wall. With HORIZONTAL_Z a horizontal motion ends as
+         *     high as it begins: the planes of overlaps at the start are upright walls too. With 0 there are no floors and no walls
+         * @param maxHorizontal the greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level
          */
-        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits):MotionResult
+        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number = 0,
+                maxHorizontal:Number = Infinity):MotionResult
+        {
+            _remaining.begin(motion, maxHorizontal, 0);
+            return run(body, rows, from, motion, minFloorNormalZ);
+        }
+
+        /**
+         * Slides down like a fall among the body's own rows, as long as what it slides on is too steep to stand on.
+         *
+         * @param depth how far down at most
+         * @param minFloorNormalZ the least z of the normal of what is not too steep
+         * @param maxHorizontal how far sideways at most
+         */
+        public function slideDown(body:MovingBody, from:Vector3D, depth:Number, minFloorNormalZ:Number, maxHorizontal:Number):MotionResult
+        {
+            _vertical.z = -depth;
+            _remaining.begin(_vertical, maxHorizontal, Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ);
+            return run(body, body.rows, from, _vertical, 0);
+        }
+
+        // Slides as the remaining motion was begun. The other parameters are those of slide().
+        private function run(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number):MotionResult
         {
             var result:MotionResult = _slid;
-            var impact:Impact = sweep.impact;
             result.wallRow = -1;
             result.row = -1;
-            _remaining.begin(motion, limits);
-            sweep.begin(body, rows, from, _remaining.motion);
+            var impact:Impact = sweep.begin(body, rows, from, _remaining.motion);
             result.startsPenetrating = sweep.planes.count > 0;
             result.place.copyFrom(sweep.start);
             if (result.startsPenetrating)
             {
                 _remaining.beginCorner();
-                if (limits === SlideLimits.HORIZONTAL)
+                if (minFloorNormalZ == HORIZONTAL_Z)
                 {
                     makePlanesUpright();
                 }
-                projectAndSweep(result.place);
+                impact = projectAndSweep(result.place);
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = sweep.planes.count;
-            for (var contacts:int = 0; contacts < MAX_CONTACTS && impact.hasRow; contacts++)
+            for (var contacts:int = 0; contacts < MAX_CONTACTS && impact != null; contacts++)
             {
-                if (!isInCorner())
+                if (!isInCorner(impact))
                 {
                     _remaining.beginCorner();
                     corner = sweep.planes.count;
                 }
-                var touchTime:Number = sweep.findTouchTime(result.place, _remaining.motion);
+                var touchTime:Number = sweep.findTouchTime(impact, result.place, _remaining.motion);
                 _remaining.advance(result.place, Math.max(touchTime + sweep.shrunk.clearance / impact.contact.along(_remaining.motion), 0));
-                respondTo(impact, limits, result);
+                respondTo(impact, minFloorNormalZ, result);
                 dropNeedlessPlanes(result.place, corner, sweep.planes.add(impact.contact, impact.row));
-                projectAndSweep(result.place);
+                impact = projectAndSweep(result.place);
             }
-            if (!impact.hasRow)
+            if (impact == null)
             {
                 _remaining.advance(result.place, 1);
             }
@@ -88,11 +115,11 @@ package starlogo.queries.motion
             return result;
         }
 
-        // Turns what remains of the motion out of the planes, and finds what stops it then.
-        private function projectAndSweep(place:Vector3D):void
+        // Turns what remains of the motion out of the planes. Returns what stops it then, or null.
+        private function projectAndSweep(place:Vector3D):Impact
         {
             _remaining.project(sweep.planes);
-            sweep.findStoppingImpact(place, _remaining.motion);
+            return sweep.findStoppingImpact(place, _remaining.motion);
         }
 
         /**
@@ -118,23 +145,9 @@ package starlogo.queries.motion
             return moveStraight(body, body.rows, from, _vertical);
         }
 
-        /**
-         * Slides down like a fall among the body's own rows, as long as what it slides on is too steep to stand on.
-         *
-         * @param depth how far down at most
-         * @param minFloorNormalZ the least z of the normal of what is not too steep
-         * @param maxHorizontal how far sideways at most
-         */
-        public function slideDown(body:MovingBody, from:Vector3D, depth:Number, minFloorNormalZ:Number, maxHorizontal:Number):MotionResult
-        {
-            _fall.fallSlope = Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ;
-            _fall.maxHorizontal = maxHorizontal;
-            _vertical.z = -depth;
-            return slide(body, body.rows, from, _vertical, _fall);
-        }
-
-        // Responds to what a slide meets. What is too steep becomes an upright wall. The rest of the motion climbs what is not. The result gets the contact.
-        private function respondTo(impact:Impact, limits:SlideLimits, out:MotionResult):void
+        // Responds to what a slide meets. What is too steep for a floor becomes an upright wall. The rest of the motion climbs a floor. The result gets the
+        // contact.
+        private function respondTo(impact:Impact, minFloorNormalZ:Number, out:MotionResult):void
         {
             var contact:ContactPoint = impact.contact;
             if (!impact.isNormalFallback && (!out.hasContact || contact.normalZ > out.contact.normalZ))
@@ -142,12 +155,12 @@ package starlogo.queries.motion
                 out.contact.copyFrom(contact);
                 out.row = impact.row;
             }
-            if (contact.normalZ < limits.minFloorNormalZ)
+            if (minFloorNormalZ > 0 && contact.normalZ < minFloorNormalZ)
             {
                 out.wallRow = impact.row;
                 makeUpright(contact);
             }
-            else if (limits.minFloorNormalZ > 0)
+            else if (minFloorNormalZ > 0)
             {
                 _remaining.liftOverPlane(contact);
             }
@@ -171,7 +184,7 @@ package starlogo.queries.motion
             for (var i:int = 0; i < sweep.planes.count; i++)
             {
                 var plane:ContactPoint = sweep.planes.contacts[i];
-                if (Math.abs(plane.normalZ) < SlideLimits.HORIZONTAL_Z)
+                if (Math.abs(plane.normalZ) < HORIZONTAL_Z)
                 {
                     makeUpright(plane);
                 }
@@ -180,7 +193,7 @@ package starlogo.queries.motion
 
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the
         // next tile hides. A plane is removed if the motion meets nothing in this corner without it. Afterwards the rest of the motion has to be
-        // projected again, and the impact is unknown.
+        // projected again.
         private function dropNeedlessPlanes(place:Vector3D, corner:int, newest:int):void
         {
             for (var i:int = sweep.planes.count - 1; i >= corner; i--)
@@ -199,14 +212,14 @@ package starlogo.queries.motion
         // Whether what remains of the motion is stopped in this corner.
         private function meetsInCorner(place:Vector3D):Boolean
         {
-            return sweep.findFirstImpact(place, _remaining.motion) && isInCorner()
-                && !sweep.shrunk.body.passesOneWay(sweep.impact.row, sweep.impact.contact);
+            var first:Impact = sweep.findFirstImpact(place, _remaining.motion);
+            return first != null && isInCorner(first) && !sweep.shrunk.body.passesOneWay(first.row, first.contact);
         }
 
-        // Whether what the rest of the motion meets first is met in the corner where it begins.
-        private function isInCorner():Boolean
+        // Whether the rest of the motion meets this in the corner where it begins.
+        private function isInCorner(impact:Impact):Boolean
         {
-            return sweep.impact.time * _remaining.motion.length < SAME_CORNER * sweep.shrunk.slop;
+            return impact.time * _remaining.motion.length < SAME_CORNER * sweep.shrunk.slop;
         }
     }
 }

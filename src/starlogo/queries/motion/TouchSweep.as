@@ -31,11 +31,11 @@ package starlogo.queries.motion
         private static const SLOPS_TO_LEAVE:Number = 2;
 
         // The motion among all rows.
-        private var _sweepOfAll:ShrunkSweep = new ShrunkSweep();
+        private var _sweepOfAll:ShrunkSweep = new ShrunkSweep(new Depenetration());
 
         // One row, and the motion past it.
         private var _row:IntList = new IntList();
-        private var _sweepOfRow:ShrunkSweep = new ShrunkSweep();
+        private var _sweepOfRow:ShrunkSweep = new ShrunkSweep(new Depenetration());
 
         // The results, whose memory is used again, and the indices of the results that count, with the times as keys. A free motion has the first result.
         private var _results:Vector.<MotionResult> = new <MotionResult>[new MotionResult()];
@@ -120,7 +120,6 @@ package starlogo.queries.motion
                 if (!out.startsPenetrating)
                 {
                     out.contact.depth = 0;
-                    ShrunkSweep.setAlong(_sweepOfRow.start, body.motion, _sweepOfRow.impact.time, out.shrunkPlace);
                     leaveOutPush(body, out);
                 }
                 setEnd(body, out.fraction, out.place);

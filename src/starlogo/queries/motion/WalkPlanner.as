@@ -49,9 +49,7 @@ package starlogo.queries.motion
         private var _platforms:PlatformCarry;
         private var _floorFinder:FloorFinder;
 
-        // A motion, and the limits of the slide of a substep.
         private var _motion:Vector3D = new Vector3D();
-        private var _limits:SlideLimits = new SlideLimits(-Infinity);
 
         // The contact of the deepest overlap.
         private var _deepest:ContactPoint = new ContactPoint();
@@ -87,7 +85,7 @@ package starlogo.queries.motion
             {
                 walk.floorRow = -1;
             }
-            _slider.sweep.depenetration.restoreClearance(walk.body, walk.place);
+            _slider.depenetration.restoreClearance(walk.body, walk.place);
             return walk;
         }
 
@@ -163,7 +161,7 @@ package starlogo.queries.motion
         // together are as long as the depths of all overlaps at the beginning. Platforms have lifted the agent before.
         private function pushOutOfDeep(walk:WalkState, lift:Number):void
         {
-            var depenetration:Depenetration = _slider.sweep.depenetration;
+            var depenetration:Depenetration = _slider.depenetration;
             var left:Number = depenetration.measureOverlaps(walk.body, walk.place, _deepest);
             if (left > 0)
             {
@@ -176,7 +174,7 @@ package starlogo.queries.motion
                 left -= length;
                 _motion.setTo(0, 0, 0);
                 _deepest.movePoint(_motion, length);
-                walk.place.copyFrom(_slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE).place);
+                walk.place.copyFrom(_slider.slide(walk.body, walk.body.rows, walk.place, _motion).place);
             }
         }
 
@@ -202,7 +200,7 @@ package starlogo.queries.motion
                 else
                 {
                     // in the air all surfaces are walls, except of horizontal floors
-                    endSubstep(walk, slideAlong(walk, walk.substepStart, 0, SlideLimits.HORIZONTAL_Z));
+                    endSubstep(walk, slideAlong(walk, walk.substepStart, 0, Slider.HORIZONTAL_Z));
                 }
             }
             var dx:Number = walk.place.x - startX;
@@ -365,10 +363,8 @@ package starlogo.queries.motion
         // Slides along the way of a substep, and up or down.
         private function slideAlong(walk:WalkState, from:Vector3D, dz:Number, minFloorNormalZ:Number):MotionResult
         {
-            _limits.minFloorNormalZ = minFloorNormalZ;
-            _limits.maxHorizontal = walk.substepLength;
             _motion.setTo(walk.substepMotion.x, walk.substepMotion.y, dz);
-            return _slider.slide(walk.body, walk.body.rows, from, _motion, _limits);
+            return _slider.slide(walk.body, walk.body.rows, from, _motion, minFloorNormalZ, walk.substepLength);
         }
     }
 }

@@ -17,7 +17,7 @@ package starlogo.queries.rays
 
     /**
      * Writes what a ray or a cast tells of a row that it meets: the agent, the point and the normal, and the triangle there, with its mesh, its
-     * material, and where on it the point is.
+     * material, and where on it the point is. It gives lists of hits their length, and keeps spare hits for lists that need more.
      *
      * @private
      */
@@ -25,14 +25,49 @@ package starlogo.queries.rays
     {
         private var _seen:SeenAgents;
 
+        // RayHit or ShapeHit, and hits that no list needs at present.
+        private var _type:Class;
+        private var _spare:Array = [];
+
         // From the point to each corner of the triangle: x, y, z of each; and the triangle's point that is nearest to the point.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nearest:NearestPoint = new NearestPoint();
 
-        /** @param seen has the rows */
-        public function HitWriter(seen:SeenAgents)
+        /**
+         * @param seen has the rows
+         * @param type RayHit or ShapeHit
+         */
+        public function HitWriter(seen:SeenAgents, type:Class)
         {
             _seen = seen;
+            _type = type;
+        }
+
+        /**
+         * Makes a list have as many hits as an answer. It removes surplus hits one at a time, because V8 frees an array's memory if its length is
+         * set to less.
+         *
+         * @param hits a list of hits of the type
+         */
+        public function resize(hits:Object, length:int):void
+        {
+            while (hits.length > length)
+            {
+                var hit:Object = hits.pop();
+                if (hit != null)
+                {
+                    hit.agent = null;
+                    _spare.push(hit);
+                }
+            }
+            for (var i:int = 0; i < length; i++)
+            {
+                if (i == hits.length || hits[i] == null)
+                {
+                    var next:Object = _spare.length > 0 ? _spare.pop() : new _type();
+                    hits[i] = next;
+                }
+            }
         }
 
         /**

@@ -1,6 +1,7 @@
 package starlogo.queries.rays
 {
     import starlogo.convex.ContactPoint;
+    import starlogo.data.IntSet;
     import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
@@ -12,13 +13,15 @@ package starlogo.queries.rays
     use namespace engine;
 
     /**
-     * Keeps how a ray meets rows, until the answer of the question is known.
+     * The hits of a ray with rows. A Collector has each row with the distance of its first hit, and decides which rows the answer has.
      *
      * @private
      */
     public final class RayHits
     {
         private var _seen:SeenAgents;
+        private var _collector:Collector;
+        private var _writer:HitWriter;
 
         // The hits: the row of each, with the distance as its key. The hits of a row stand side by side.
         private var _hits:SortableIntList = new SortableIntList();
@@ -27,23 +30,21 @@ package starlogo.queries.rays
         private var _listIndices:Vector.<int> = new Vector.<int>();
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        // By row: its first hit.
-        private var _firstHitByRow:Vector.<int> = new Vector.<int>();
-
-        // The hits of the answer, in their order.
+        // The rows of the answer, and its hits in their order.
+        private var _rows:IntSet = new IntSet();
         private var _answer:SortableIntList = new SortableIntList();
-        private var _writer:HitWriter;
 
         /** @param seen has the rows */
         public function RayHits(seen:SeenAgents)
         {
             _seen = seen;
-            _writer = new HitWriter(seen);
+            _writer = new HitWriter(seen, RayHit);
         }
 
         /** Begins without hits. */
-        public function clear():void
+        public function begin(collector:Collector):void
         {
+            _collector = collector;
             _hits.count = 0;
         }
 
@@ -51,13 +52,9 @@ package starlogo.queries.rays
         public function add(row:int, ray:Ray, entry:RayCrossing):void
         {
             var index:int = _hits.count;
-            if (_firstHitByRow.length <= row)
-            {
-                _firstHitByRow.length = row + 1;
-            }
             if (index == 0 || _hits.values[int(index - 1)] != row)
             {
-                _firstHitByRow[row] = index;
+                _collector.add(row, entry.distance);
             }
             if (index == _contacts.length)
             {
@@ -73,35 +70,43 @@ package starlogo.queries.rays
             contact.triangle = entry.triangle;
         }
 
-        /** The distance of the first hit of a row that has one. */
-        public function firstDistanceOf(row:int):Number
+        /** Ends the search. The answer has all hits of the collector's rows, sorted by distance. */
+        public function end():void
         {
-            return _hits.keys[_firstHitByRow[row]];
-        }
-
-        /** Ends a collector's search. The answer has the hits of the rows that it has found, sorted by distance. Returns how many they are. */
-        public function end(collector:Collector):int
-        {
-            var rows:int = collector.end();
-            _answer.count = 0;
-            for (var i:int = 0; i < rows; i++)
+            _rows.clear(_seen.table.listed.rowCapacity);
+            for (var i:int = _collector.end() - 1; i >= 0; i--)
             {
-                var row:int = collector.rowAt(i);
-                for (var hit:int = _firstHitByRow[row]; hit < _hits.count && _hits.values[hit] == row; hit++)
+                _rows.add(_collector.rowAt(i));
+            }
+            _answer.count = 0;
+            for (var hit:int = 0; hit < _hits.count; hit++)
+            {
+                if (_rows.has(_hits.values[hit]))
                 {
                     _answer.add(hit, _hits.keys[hit]);
                 }
             }
-            if (_answer.count > rows)
-            {
-                // between hits of one row there may be others
-                _answer.sortFirst(_answer.count, _listIndices);
-            }
-            return _answer.count;
+            _answer.sortFirst(_answer.count, _listIndices);
         }
 
-        /** Writes a hit of the answer. Returns it. */
-        public function writeHit(index:int, out:RayHit):RayHit
+        /** Writes the first hit of the answer. Returns it, or null if there is none. */
+        public function writeFirst(out:RayHit):RayHit
+        {
+            return _answer.count == 0 ? null : write(0, out || new RayHit());
+        }
+
+        /** Writes all hits of the answer into a list. Returns the list. */
+        public function writeAll(out:Vector.<RayHit>):Vector.<RayHit>
+        {
+            _writer.resize(out, _answer.count);
+            for (var i:int = 0; i < out.length; i++)
+            {
+                write(i, out[i]);
+            }
+            return out;
+        }
+
+        private function write(index:int, out:RayHit):RayHit
         {
             var hit:int = _answer.values[index];
             _writer.write(_hits.values[hit], _contacts[hit], out);

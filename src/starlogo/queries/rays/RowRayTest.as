@@ -28,10 +28,16 @@ package starlogo.queries.rays
      */
     public final class RowRayTest
     {
+        /** The ray of the last test in the space of the row's model. */
+        internal var rayInModel:Ray = new Ray();
+
+        /** The part of that ray in a structure. */
+        internal var span:RaySpan = new RaySpan();
+
+        /** How that ray meets trees. */
+        internal var trees:TreeRayQuery = new TreeRayQuery();
+
         private var _seen:SeenAgents;
-        private var _rayInModel:Ray = new Ray();
-        private var _span:RaySpan = new RaySpan();
-        private var _treeEntries:TreeRayQuery = new TreeRayQuery();
 
         /** @param seen has the rows */
         public function RowRayTest(seen:SeenAgents)
@@ -53,11 +59,11 @@ package starlogo.queries.rays
             {
                 return _seen.narrowPhase.groundTestsOf(body).findRayEntry(body, ray, out);
             }
-            if (!bringIntoModel(ray, body.placement, _rayInModel) || !findEntryOfShape(body, _rayInModel, out))
+            if (!bringIntoModel(ray, body.placement) || !findEntryOfShape(body, out))
             {
                 return false;
             }
-            bringIntoWorld(out, _rayInModel, body.placement, ray);
+            bringIntoWorld(out, body.placement, ray);
             return out.distance <= ray.to;
         }
 
@@ -70,10 +76,9 @@ package starlogo.queries.rays
         /**
          * Moves a ray into the space of a row's model.
          *
-         * @param rayInModel receives the ray there
          * @return whether the products of its numbers are finite there. They are not if the row is tiny and far from the ray
          */
-        internal static function bringIntoModel(ray:Ray, placement:Placement, rayInModel:Ray):Boolean
+        internal function bringIntoModel(ray:Ray, placement:Placement):Boolean
         {
             var ahead:Number = aheadOf(ray, placement);
             rayInModel.direction.copyFrom(ray.direction);
@@ -89,20 +94,20 @@ package starlogo.queries.rays
         }
 
         /** Moves where a ray enters a shape from the model's space into the world. Because of rounding, it may be beyond the ray's end there. */
-        internal static function bringIntoWorld(entry:RayCrossing, rayInModel:Ray, placement:Placement, ray:Ray):void
+        internal function bringIntoWorld(entry:RayCrossing, placement:Placement, ray:Ray):void
         {
             placement.rotate(entry.normal, entry.normal);
             entry.distance = entry.distance > rayInModel.from ? Math.max(0, entry.distance * placement.size + aheadOf(ray, placement)) : 0;
         }
 
-        private function findEntryOfShape(body:Body, rayInModel:Ray, out:RayCrossing):Boolean
+        private function findEntryOfShape(body:Body, out:RayCrossing):Boolean
         {
             var shape:ModelShape = body.shape;
             if (shape.tree != null)
             {
-                return _treeEntries.find(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), rayInModel, out);
+                return trees.find(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), rayInModel, out);
             }
-            return SpanFinder.find(rayInModel, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.setToEntry(rayInModel, _span);
+            return SpanFinder.find(rayInModel, shape.structure, _seen.narrowPhase.convexSpans, span) && out.setToEntry(rayInModel, span);
         }
     }
 }

@@ -4,12 +4,10 @@ package starlogo.queries.rays
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RaySpan;
     import starlogo.intersection.ray.SpanFinder;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.solid.TreeRayQuery;
 
     use namespace engine;
 
@@ -21,39 +19,38 @@ package starlogo.queries.rays
     public final class RowSurfaceTest
     {
         private var _seen:SeenAgents;
-        private var _rayInModel:Ray = new Ray();
-        private var _span:RaySpan = new RaySpan();
-        private var _treeCrossings:TreeRayQuery = new TreeRayQuery();
+        private var _rowRays:RowRayTest;
 
         // All crossings with a row's shape, and those that are surfaces.
         private var _crossings:RayCrossings = new RayCrossings();
         private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
 
-        /** @param seen has the rows */
-        public function RowSurfaceTest(seen:SeenAgents)
+        /**
+         * @param seen has the rows
+         * @param rowRays brings rays into the space of a model
+         */
+        public function RowSurfaceTest(seen:SeenAgents, rowRays:RowRayTest)
         {
             _seen = seen;
+            _rowRays = rowRays;
         }
 
         /**
-         * Finds all surfaces of a row that a ray crosses.
+         * Adds a hit for each surface of a row that a ray crosses, in the order of the ray.
          *
          * @param ray the ray in the world. A surface at exactly <code>to</code> is crossed
-         * @param out receives a hit for each surface, in the order of the ray
-         * @return whether it crosses any
          */
-        public function findSurfaces(row:int, ray:Ray, out:RayHits):Boolean
+        public function addSurfaces(row:int, ray:Ray, out:RayHits):void
         {
             var body:Body = _seen.table.bodyOf(row);
             var isGround:Boolean = body.kind == ModelShape.GROUND;
-            var isMet:Boolean = false;
             _crossings.count = 0;
             if (isGround)
             {
                 _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
                 _surfaces.findOfTriangles(_crossings);
             }
-            else if (RowRayTest.bringIntoModel(ray, body.placement, _rayInModel) && addCrossings(body, _rayInModel, _crossings))
+            else if (_rowRays.bringIntoModel(ray, body.placement) && addCrossings(body, _crossings))
             {
                 _surfaces.findOfTriangles(_crossings);
             }
@@ -66,28 +63,27 @@ package starlogo.queries.rays
                 var crossing:RayCrossing = _crossings.items[_surfaces.indices.values[i]];
                 if (!isGround)
                 {
-                    RowRayTest.bringIntoWorld(crossing, _rayInModel, body.placement, ray);
+                    _rowRays.bringIntoWorld(crossing, body.placement, ray);
                 }
                 if (crossing.distance <= ray.to)
                 {
                     out.add(row, ray, crossing);
-                    isMet = true;
                 }
             }
-            return isMet;
         }
 
-        // Adds the crossings of a ray in the model's space with a body's shape. Returns whether they are those of triangles.
-        private function addCrossings(body:Body, rayInModel:Ray, out:RayCrossings):Boolean
+        // Adds the crossings of the ray in the model's space with a body's shape. Returns whether they are those of triangles.
+        private function addCrossings(body:Body, out:RayCrossings):Boolean
         {
             var shape:ModelShape = body.shape;
+            var rayInModel:Ray = _rowRays.rayInModel;
             if (shape.tree != null)
             {
-                return _treeCrossings.findAll(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), rayInModel, out);
+                return _rowRays.trees.findAll(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), rayInModel, out);
             }
-            if (SpanFinder.find(rayInModel, shape.structure, _seen.narrowPhase.convexSpans, _span))
+            if (SpanFinder.find(rayInModel, shape.structure, _seen.narrowPhase.convexSpans, _rowRays.span))
             {
-                out.addSpan(rayInModel, _span, 0);
+                out.addSpan(rayInModel, _rowRays.span, 0);
             }
             return false;
         }

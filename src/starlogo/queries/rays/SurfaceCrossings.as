@@ -32,30 +32,31 @@ package starlogo.queries.rays
                 _all.add(k, endKeyOf(crossings.items[k]));
             }
             _all.sortFirst(_all.count);
+            // the number of parts that the ray is in
             var depth:int = 0;
             // where the ray begins, if that is inside of a part
             var insideFrom:Number = -Infinity;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                var index:int = _all.values[i];
-                var isKept:Boolean = true;
-                switch (crossings.items[index].side)
+                var crossing:RayCrossing = crossings.items[_all.values[i]];
+                var isKept:Boolean = crossing.side == RayCrossing.INSIDE;
+                if (isKept)
                 {
-                    case RayCrossing.INSIDE:
-                        insideFrom = crossings.items[index].distance;
-                        break;
-                    case RayCrossing.ENTERS:
-                        isKept = depth == 0 && _all.keys[i] > insideFrom;
-                        depth++;
-                        break;
-                    default:
-                        depth--;
-                        isKept = depth == 0;
-                        break;
+                    insideFrom = crossing.distance;
+                }
+                else if (crossing.side == RayCrossing.ENTERS)
+                {
+                    isKept = depth == 0 && _all.keys[i] > insideFrom;
+                    depth++;
+                }
+                else
+                {
+                    depth--;
+                    isKept = depth == 0;
                 }
                 if (isKept)
                 {
-                    indices.add(index);
+                    indices.add(_all.values[i]);
                 }
             }
         }
@@ -63,15 +64,11 @@ package starlogo.queries.rays
         // By what an entry and a way out are sorted. Where the ray begins inside comes first; nodes that touch up to rounding overlap.
         private static function endKeyOf(crossing:RayCrossing):Number
         {
-            switch (crossing.side)
+            if (crossing.side == RayCrossing.INSIDE)
             {
-                case RayCrossing.INSIDE:
-                    return -Infinity;
-                case RayCrossing.ENTERS:
-                    return crossing.distance - crossing.rounding;
-                default:
-                    return crossing.distance;
+                return -Infinity;
             }
+            return crossing.side == RayCrossing.ENTERS ? crossing.distance - crossing.rounding : crossing.distance;
         }
 
         /**

@@ -1,5 +1,6 @@
 package starlogo.queries.trees
 {
+    import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
 
@@ -32,8 +33,7 @@ package starlogo.queries.trees
         private var _z:Number = 0;
 
         // A stack of the nodes that are still to be visited, and their squared distances.
-        private var _nodes:Vector.<int> = new Vector.<int>();
-        private var _squares:Vector.<Number> = new Vector.<Number>();
+        private var _stack:SortableIntList = new SortableIntList();
 
         /** @param seen has the tree of places */
         public function NearSearch(seen:SeenAgents)
@@ -71,30 +71,39 @@ package starlogo.queries.trees
             var collector:Collector = _collector;
             var usesAccepts:Boolean = collector.maxCount < Collector.ALL && collector.filter.accepts != null;
             var asker:int = collector.filter.askerRow;
-            var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(_tree.leafOf(asker));
-            while (waiting > 0 && collector.limit >= 0)
+            _stack.count = 0;
+            if (asker < 0)
             {
-                waiting--;
+                push(RowTree.ROOT);
+            }
+            else
+            {
+                pushBeside(_tree.leafOf(asker));
+            }
+            while (_stack.count > 0 && collector.limit >= 0)
+            {
                 if (usesAccepts)
                 {
-                    putNearestLast(0, waiting);
+                    putNearestLast(_stack, 0);
                 }
-                var node:int = _nodes[waiting];
-                if (_squares[waiting] > collector.limit)
+                _stack.count--;
+                var top:int = _stack.count;
+                var node:int = _stack.values[top];
+                if (_stack.keys[top] > collector.limit)
                 {
                     continue;
                 }
                 if (node < _tree.firstLeaf)
                 {
-                    var first:int = waiting;
-                    waiting = push((node << 1) + 1, push(node << 1, first));
-                    putNearestLast(first, waiting - 1);
+                    push(node << 1);
+                    push((node << 1) + 1);
+                    putNearestLast(_stack, top);
                 }
                 else
                 {
                     if (usesAccepts)
                     {
-                        collector.askAcceptsBelow(_squares[waiting]);
+                        collector.askAcceptsBelow(_stack.keys[top]);
                     }
                     visit(node, cone);
                 }
@@ -111,18 +120,20 @@ package starlogo.queries.trees
             var collector:Collector = _collector;
             var countsWholeNodes:Boolean = !collector.filter.excludes && collector.filter.accepts == null;
             var counted:int = 0;
-            var waiting:int = push(RowTree.ROOT, 0);
-            while (waiting > 0)
+            _stack.count = 0;
+            push(RowTree.ROOT);
+            while (_stack.count > 0)
             {
-                waiting--;
-                var node:int = _nodes[waiting];
+                _stack.count--;
+                var node:int = _stack.values[_stack.count];
                 if (countsWholeNodes && isWithin(node))
                 {
                     counted += _tree.countIn(node, collector.filter.askerRow);
                 }
                 else if (node < _tree.firstLeaf)
                 {
-                    waiting = push((node << 1) + 1, push(node << 1, waiting));
+                    push(node << 1);
+                    push((node << 1) + 1);
                 }
                 else
                 {
@@ -144,42 +155,18 @@ package starlogo.queries.trees
         }
 
         // Pushes a leaf on the stack, above the nodes beside the path from the root to the leaf. It is visited first, because it probably has the nearest
-        // rows. Returns how many nodes wait.
-        private function pushBeside(leaf:int):int
+        // rows.
+        private function pushBeside(leaf:int):void
         {
-            var waiting:int = 0;
             for (var leaves:int = _tree.firstLeaf >> 1; leaves > 0; leaves >>= 1)
             {
-                waiting = push(int(leaf / leaves) ^ 1, waiting);
+                push(int(leaf / leaves) ^ 1);
             }
-            return push(leaf, waiting);
+            push(leaf);
         }
 
-        // Makes the nearest of some of the waiting nodes the last of them.
-        private function putNearestLast(first:int, last:int):void
-        {
-            var nearest:int = last;
-            for (var i:int = first; i < last; i++)
-            {
-                if (_squares[i] < _squares[nearest])
-                {
-                    nearest = i;
-                }
-            }
-            if (nearest == last)
-            {
-                return;
-            }
-            var node:int = _nodes[nearest];
-            var square:Number = _squares[nearest];
-            _nodes[nearest] = _nodes[last];
-            _squares[nearest] = _squares[last];
-            _nodes[last] = node;
-            _squares[last] = square;
-        }
-
-        // Pushes a node on the stack if its box is within the limit, and it may have rows that count. Returns how many nodes wait.
-        private function push(node:int, waiting:int):int
+        // Pushes a node on the stack if its box is within the limit, and it may have rows that count.
+        private function push(node:int):void
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
             var box:int = RowTree.PER_BOX * node;
@@ -187,13 +174,10 @@ package starlogo.queries.trees
             var toY:Number = _y < boxes[int(box + 1)] ? boxes[int(box + 1)] - _y : (_y > boxes[int(box + 4)] ? _y - boxes[int(box + 4)] : 0);
             var toZ:Number = _z < boxes[int(box + 2)] ? boxes[int(box + 2)] - _z : (_z > boxes[int(box + 5)] ? _z - boxes[int(box + 5)] : 0);
             var square:Number = toX * toX + toY * toY + toZ * toZ;
-            if (square > _collector.limit || !_tree.mayHave(node, _collector.filter.breedSet))
+            if (square <= _collector.limit && _tree.mayHave(node, _collector.filter.breedSet))
             {
-                return waiting;
+                _stack.add(node, square);
             }
-            _nodes[waiting] = node;
-            _squares[waiting] = square;
-            return waiting + 1;
         }
 
         // Gives the collector the rows of a leaf that the filter may admit and that are within the limit.

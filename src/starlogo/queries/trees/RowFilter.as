@@ -31,12 +31,10 @@ package starlogo.queries.trees
 
         private var _listed:ListedAgents;
 
-        // Whether only the breeds of a list count.
-        private var _namesBreeds:Boolean = false;
-
-        // The numbers of the named and of the excepted breeds, and the excepted rows.
+        // The numbers of some breeds: only these may count, or all but these.
         private var _breeds:IntSet = new IntSet();
-        private var _exceptBreeds:IntSet = new IntSet();
+        private var _onlyThese:Boolean = false;
+
         private var _exceptRows:IntSet = new IntSet();
 
         /**
@@ -59,34 +57,34 @@ package starlogo.queries.trees
             }
             filter.checkNames(_listed.agentsByRow);
             accepts = filter.accepts;
-            _namesBreeds = filter.breeds != null;
-            excludes = _namesBreeds || filter.exceptBreeds != null || filter.except != null;
-            var named:int = readBreeds(filter.breeds, _breeds);
-            var excepted:int = readBreeds(filter.exceptBreeds, _exceptBreeds);
-            if (_namesBreeds)
+            excludes = filter.breeds != null || filter.exceptBreeds != null || filter.except != null;
+            _onlyThese = filter.breeds != null;
+            if (_onlyThese)
             {
-                breedSet = named;
+                breedSet = readBreeds(filter.breeds, filter.exceptBreeds);
             }
-            else if (Breeds.NAMES.count <= RowTree.BREED_BITS)
+            else
             {
-                // each breed has a bit of its own
-                breedSet = ~excepted;
+                var excepted:int = readBreeds(filter.exceptBreeds, null);
+                // if each breed has a bit of its own
+                breedSet = Breeds.NAMES.count <= RowTree.BREED_BITS ? ~excepted : RowTree.ALL_BREEDS;
             }
             readExcept(filter.except);
         }
 
-        // Reads breeds into a set by their numbers. Returns their set for a RowTree. A name may be null. No agent has an unknown breed.
-        private static function readBreeds(names:Vector.<String>, out:IntSet):int
+        // Reads the numbers of breeds, without those of a second list. Both lists may be null, and so may a name. No agent has an unknown breed. Returns the
+        // breeds' set for a RowTree.
+        private function readBreeds(names:Vector.<String>, without:Vector.<String>):int
         {
             var breeds:int = 0;
-            out.clear(Breeds.NAMES.count);
+            _breeds.clear(Breeds.NAMES.count);
             for (var i:int = 0; names != null && i < names.length; i++)
             {
                 var breed:int = names[i] == null ? -1 : Breeds.NAMES.knownNumberOf(names[i]);
-                if (breed >= 0)
+                if (breed >= 0 && (without == null || without.indexOf(names[i]) < 0))
                 {
                     breeds |= RowTree.breedBit(breed);
-                    out.add(breed);
+                    _breeds.add(breed);
                 }
             }
             return breeds;
@@ -114,12 +112,8 @@ package starlogo.queries.trees
 
         private function admitsBreed(breed:int):Boolean
         {
-            if (breed >= _breeds.marks.length)
-            {
-                // a filter's accepts has made it since the question began
-                return !_namesBreeds;
-            }
-            return (!_namesBreeds || _breeds.has(breed)) && !_exceptBreeds.has(breed);
+            // a filter's accepts may have made a breed since the question began
+            return (breed < _breeds.marks.length && _breeds.has(breed)) == _onlyThese;
         }
     }
 }

@@ -210,20 +210,11 @@ package starlogo.queries.trees
         // Makes room for the rows and the nodes.
         private function reserve(rowCount:int):void
         {
-            if (_slots.length < rowCount)
-            {
-                _slots.length = rowCount;
-            }
-            if (rows.length < count)
-            {
-                rows.length = count;
-                rowBoxes.length = PER_BOX * count;
-            }
-            if (_breedSets.length < 2 * firstLeaf)
-            {
-                nodeBoxes.length = 2 * firstLeaf * PER_BOX;
-                _breedSets.length = 2 * firstLeaf;
-            }
+            _slots.length = Math.max(_slots.length, rowCount);
+            rows.length = Math.max(rows.length, count);
+            rowBoxes.length = PER_BOX * rows.length;
+            _breedSets.length = Math.max(_breedSets.length, 2 * firstLeaf);
+            nodeBoxes.length = PER_BOX * _breedSets.length;
         }
 
         private function boundAll(points:Points, sizes:Extents):void

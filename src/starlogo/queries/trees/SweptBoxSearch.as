@@ -1,6 +1,7 @@
 package starlogo.queries.trees
 {
     import starlogo.agents.Agent;
+    import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.search.Body;
     import starlogo.search.table.ListedAgents;
@@ -24,10 +25,12 @@ package starlogo.queries.trees
         private var _box:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
         private var _inverse:Vector.<Number> = new Vector.<Number>(3, true);
 
-        // A stack of what is still to be visited: the number of a node, or -1 - slot for a row; and when the box meets it.
-        private var _stack:Vector.<int> = new Vector.<int>();
-        private var _entries:Vector.<Number> = new Vector.<Number>();
-        private var _waiting:int = 0;
+        // A stack of the nodes that are still to be visited, and when the box meets each.
+        private var _stack:SortableIntList = new SortableIntList();
+
+        // The slots that are left of the leaf that is visited.
+        private var _slot:int = 0;
+        private var _endSlot:int = 0;
 
         /**
          * Begins with a point that stands still: a box without size. Call <code>inflate()</code> or <code>moveAlong()</code> afterwards if needed.
@@ -68,9 +71,12 @@ package starlogo.queries.trees
             _tree = tree;
             _isGroundLeft = true;
             _inverse[0] = _inverse[1] = _inverse[2] = 0;
-            _stack[0] = RowTree.ROOT;
-            _entries[0] = 0;
-            _waiting = tree.count > 0 ? 1 : 0;
+            _slot = _endSlot = 0;
+            _stack.count = 0;
+            if (tree.count > 0)
+            {
+                _stack.add(RowTree.ROOT, 0);
+            }
             inflate(slack);
         }
 
@@ -108,31 +114,22 @@ package starlogo.queries.trees
          */
         public function next(collector:Collector):int
         {
-            while (_waiting > 0)
+            while (_slot < _endSlot || _stack.count > 0)
             {
-                _waiting--;
-                var popped:int = _stack[_waiting];
-                var limit:Number = collector.limit;
-                if (_entries[_waiting] > limit || (popped >= 0 && !_tree.mayHave(popped, collector.filter.breedSet)))
+                if (_slot == _endSlot)
                 {
+                    visitNode(collector.filter.breedSet, collector.limit);
                     continue;
                 }
-                if (popped < 0)
+                var slot:int = _slot++;
+                if (findEntry(_tree.rowBoxes, RowTree.PER_BOX * slot, collector.limit))
                 {
-                    var row:int = _tree.rows[-1 - popped];
+                    var row:int = _tree.rows[slot];
                     if (collector.mayWant(row))
                     {
                         return row;
                     }
                     _tree.excludedCount++;
-                }
-                else if (popped < _tree.firstLeaf)
-                {
-                    push(_tree.nodeBoxes, popped << 1, (popped << 1) + 2, false, limit);
-                }
-                else
-                {
-                    push(_tree.rowBoxes, _tree.startOf(popped), _tree.startOf(popped + 1), true, limit);
                 }
             }
             var isGround:Boolean = _isGroundLeft && collector.mayWant(ListedAgents.GROUND_ROW);
@@ -140,33 +137,36 @@ package starlogo.queries.trees
             return isGround ? ListedAgents.GROUND_ROW : -1;
         }
 
-        // Pushes the nodes or slots on the stack whose boxes the moving box meets. Of two, the nearer one is popped first.
-        private function push(boxes:Vector.<Number>, first:int, end:int, areSlots:Boolean, limit:Number):void
+        // Takes a node from the stack. The slots of a leaf come next. The children whose boxes the moving box meets are pushed, the nearer one last.
+        private function visitNode(breedSet:int, limit:Number):void
         {
-            var count:int = _waiting;
-            for (var i:int = first; i < end; i++)
+            _stack.count--;
+            var first:int = _stack.count;
+            var node:int = _stack.values[first];
+            if (_stack.keys[first] > limit || !_tree.mayHave(node, breedSet))
             {
-                if (findEntry(boxes, RowTree.PER_BOX * i, limit, _entries, count))
+                return;
+            }
+            if (node >= _tree.firstLeaf)
+            {
+                _slot = _tree.startOf(node);
+                _endSlot = _tree.startOf(node + 1);
+                return;
+            }
+            for (var child:int = node << 1; child <= (node << 1) + 1; child++)
+            {
+                if (findEntry(_tree.nodeBoxes, RowTree.PER_BOX * child, limit))
                 {
-                    _stack[count] = areSlots ? -1 - i : i;
-                    count++;
+                    _stack.values[_stack.count] = child;
+                    _stack.count++;
                 }
             }
-            if (count == _waiting + 2 && _entries[_waiting] < _entries[int(_waiting + 1)])
-            {
-                var nearer:int = _stack[_waiting];
-                _stack[_waiting] = _stack[int(_waiting + 1)];
-                _stack[int(_waiting + 1)] = nearer;
-                var entry:Number = _entries[_waiting];
-                _entries[_waiting] = _entries[int(_waiting + 1)];
-                _entries[int(_waiting + 1)] = entry;
-            }
-            _waiting = count;
+            putNearestLast(_stack, first);
         }
 
-        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). A list receives it, because
-        // V8 would box a Number that is returned. Returns whether it is within the limit.
-        private function findEntry(boxes:Vector.<Number>, box:int, limit:Number, out:Vector.<Number>, index:int):Boolean
+        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). It becomes the next key of the
+        // stack, because V8 would box a Number that is returned. Returns whether it is within the limit.
+        private function findEntry(boxes:Vector.<Number>, box:int, limit:Number):Boolean
         {
             var enters:Number = 0;
             var leaves:Number = limit;
@@ -194,7 +194,7 @@ package starlogo.queries.trees
                     return false;
                 }
             }
-            out[index] = enters;
+            _stack.keys[_stack.count] = enters;
             return true;
         }
     }

@@ -11,7 +11,7 @@ package starlogo.queries.motion
         {
             var rest:RemainingMotion = new RemainingMotion();
             var planes:ContactList = new ContactList();
-            rest.begin(new Vector3D(1, 1, 0), SlideLimits.NONE);
+            rest.begin(new Vector3D(1, 1, 0), Infinity, 0);
             assertEquals(0, planes.add(planeAgainst(1, 0), 5));
             assertEquals(1, planes.add(planeAgainst(0, 1), 6));
             assertEquals("the first again, of another row", 0, planes.add(planeAgainst(1, 0), 7));

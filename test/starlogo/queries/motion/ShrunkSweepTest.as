@@ -25,7 +25,7 @@ package starlogo.queries.motion
             var wrong:Complaints = new Complaints();
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
             var body:MovingBody = new MovingBody(seen);
-            var sweep:ShrunkSweep = new ShrunkSweep();
+            var sweep:ShrunkSweep = new ShrunkSweep(new Depenetration());
             var from:Vector3D = new Vector3D();
             var motion:Vector3D = new Vector3D();
             var ofBuilding:int = 0;
@@ -50,35 +50,37 @@ package starlogo.queries.motion
                 body.collectRowsAlong(null);
                 sweep.shrunk.begin(body, body.rows, from, motion);
                 sweep.obstacles.copyFrom(body.rows);
-                sweep.findFirstImpact(from, motion);
-                var found:Impact = new Impact();
-                found.copyFrom(sweep.impact);
-                var expected:Impact = new Impact();
+                var impact:Impact = sweep.findFirstImpact(from, motion);
+                var found:int = impact == null ? -1 : impact.row;
+                var foundAt:Number = impact == null ? Infinity : impact.time;
+                var expected:int = -1;
+                var expectedAt:Number = Infinity;
                 var first:Number = Infinity;
                 for (k = 0; k < body.rows.count; k++)
                 {
                     sweep.obstacles.count = 0;
                     sweep.obstacles.add(body.rows.values[k]);
-                    if (sweep.findFirstImpact(from, motion) && countsAt(sweep, motion) < first)
+                    impact = sweep.findFirstImpact(from, motion);
+                    if (impact != null && countsAt(impact, sweep, motion) < first)
                     {
-                        first = countsAt(sweep, motion);
-                        expected.copyFrom(sweep.impact);
+                        first = countsAt(impact, sweep, motion);
+                        expected = impact.row;
+                        expectedAt = impact.time;
                     }
                 }
-                wrong.addIf(found.row != expected.row || (found.hasRow && found.time != expected.time), "another row",
-                        found.row + " at " + found.time + ", not " + expected.row + " at " + expected.time);
-                ofBuilding += int(expected.row == seen.rowOf(building) && expected.time > 0);
-                ofThing += int(expected.row >= 0 && expected.row != seen.rowOf(building) && expected.time > 0);
+                wrong.addIf(found != expected || foundAt != expectedAt, "another row", found + " at " + foundAt + ", not " + expected + " at " + expectedAt);
+                ofBuilding += int(expected == seen.rowOf(building) && expectedAt > 0);
+                ofThing += int(expected >= 0 && expected != seen.rowOf(building) && expectedAt > 0);
             }
             wrong.assertNone();
             assertTrue(ofBuilding + " by the building, " + ofThing + " by a thing", ofBuilding > 30 && ofThing > 30);
         }
 
         // When an impact counts among others.
-        private static function countsAt(sweep:ShrunkSweep, motion:Vector3D):Number
+        private static function countsAt(impact:Impact, sweep:ShrunkSweep, motion:Vector3D):Number
         {
-            var time:Number = sweep.impact.time;
-            return time > 0 && sweep.impact.isNormalFallback ? time + sweep.shrunk.clearance / motion.length : time;
+            var time:Number = impact.time;
+            return time > 0 && impact.isNormalFallback ? time + sweep.shrunk.clearance / motion.length : time;
         }
     }
 }

@@ -27,9 +27,9 @@ package starlogo.queries.motion
             var from:Vector3D = new Vector3D(0, 0, 1.5);
             body.setToAgent(agent);
             body.collectRowsWithin(1, 0, 0, null);
-            var result:MotionResult = slider.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE);
+            var result:MotionResult = slider.slide(body, body.rows, from, new Vector3D(0, 0, -1));
             assertTrue("it met the cube below: " + result.contact.normalZ, Math.abs(result.contact.normalZ - 1) < 1e-9);
-            result = slider.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE);
+            result = slider.slide(body, body.rows, from, new Vector3D());
             assertEquals(-1, result.row);
             assertEquals(-1, result.wallRow);
         }
@@ -45,15 +45,15 @@ package starlogo.queries.motion
             var body:MovingBody = new MovingBody(seen);
             body.setToAgent(agent);
             body.collectRowsWithin(4, 0, 0, null);
-            var slid:Vector3D = slider.slide(body, body.rows, body.from, new Vector3D(-0.5, 0.1, 0), SlideLimits.NONE).place;
+            var slid:Vector3D = slider.slide(body, body.rows, body.from, new Vector3D(-0.5, 0.1, 0)).place;
             var expected:Vector3D = slid.clone();
             var dropped:Vector3D = slider.moveVertically(body, slid, -1).place;
             assertTrue("the slide's result has changed: " + slid, slid.equals(expected));
             expected = new Slider().moveVertically(body, dropped, -5).place;
             var landed:Vector3D = slider.moveVertically(body, dropped, -5).place;
             assertTrue("it landed elsewhere: " + landed, landed.equals(expected) && landed.z > 1);
-            expected = new Slider().slide(body, body.rows, slid, new Vector3D(0.2, 0, 0), SlideLimits.NONE).place;
-            slid = slider.slide(body, body.rows, slid, new Vector3D(0.2, 0, 0), SlideLimits.NONE).place;
+            expected = new Slider().slide(body, body.rows, slid, new Vector3D(0.2, 0, 0)).place;
+            slid = slider.slide(body, body.rows, slid, new Vector3D(0.2, 0, 0)).place;
             assertTrue("it slid elsewhere: " + slid, slid.equals(expected));
         }
 
@@ -88,10 +88,10 @@ package starlogo.queries.motion
             var body:MovingBody = new MovingBody(seen);
             body.setToAgent(agent);
             body.collectRowsWithin(1, 0, 0, null);
-            for each (var limits:SlideLimits in [SlideLimits.NONE, SlideLimits.HORIZONTAL])
+            for each (var minFloorNormalZ:Number in [0, Slider.HORIZONTAL_Z])
             {
-                var result:MotionResult = slider.slide(body, body.rows, new Vector3D(1.2, 0, 0), new Vector3D(0.5, 0, 0), limits);
-                assertEquals(limits === SlideLimits.HORIZONTAL, Math.abs(result.place.z) < 1e-9);
+                var result:MotionResult = slider.slide(body, body.rows, new Vector3D(1.2, 0, 0), new Vector3D(0.5, 0, 0), minFloorNormalZ);
+                assertEquals(minFloorNormalZ > 0, Math.abs(result.place.z) < 1e-9);
             }
         }
     }

@@ -28,8 +28,11 @@ package starlogo.broadphase
         // A level with buckets has 32 at least. So cells near each other never share one.
         private static const MIN_BITS:int = 5;
 
+        /** The buckets of so many cells beside each other are one run. */
+        internal static const RUN:int = 3;
+
         /** So many first buckets of a level are copied after its last one, so that the neighbours of the last cells are in one run too. */
-        internal static const COPIED:int = 2;
+        internal static const COPIED:int = RUN - 1;
 
         // A power of two, in patches. The widest members are at most this wide. No member is narrower than half of it, unless it is far
         // out or the level is the finest.

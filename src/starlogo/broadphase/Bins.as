@@ -1,9 +1,10 @@
 // This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort the rows by their cells, and find all
-// pairs of rows. Extents have the boxes of the rows; a BinLevel has the cells of one width. CellLists finds what is near single rows
-// that have changed since. Read this file first, then BinLevel, then CellLists.
+// pairs of rows, or the rows near one. Extents have the boxes of the rows; a BinLevel has the cells of one width. Read this file first, then BinLevel.
 package starlogo.broadphase
 {
     import starlogo.data.IntList;
+    import starlogo.data.IntSet;
+    import starlogo.data.makeRoom;
 
     /**
      * The broad phase: finds the pairs of agents that are near each other on the ground (thesis §3.7). More exactly: all pairs of rows
@@ -22,16 +23,15 @@ package starlogo.broadphase
      * members. Cells are hashed into buckets. The number of buckets depends on the number of members, not on the size of the world. Cells
      * far from each other may share a bucket, which only costs time. Cells that one pair can reach never share one.</p>
      *
-     * <p>The bins do not know how the pairs are used. Each search starts anew. CellLists takes over the cells of the last one. The time of a search is
-     * proportional to the number of members and overlapping pairs, the memory to the number of members. After the first search nothing is
-     * allocated.</p>
+     * <p>The bins do not know how the pairs are used. The time of a search is proportional to the number of members and overlapping pairs, the memory
+     * to the number of members. After the first search nothing is allocated.</p>
      *
      * @private
      */
     public final class Bins
     {
-        /** The levels of cells by their indices, from the finest to the coarsest that was needed so far. The first is none. */
-        public var levels:Vector.<BinLevel> = new <BinLevel>[null];
+        // The levels of cells by their indices, from the finest to the coarsest that was needed so far. The first is none.
+        private var _levels:Vector.<BinLevel> = new <BinLevel>[null];
 
         // By slot: the member's row, its middle, and the radius of its circle.
         private var _rows:Vector.<int> = new Vector.<int>();
@@ -48,8 +48,9 @@ package starlogo.broadphase
         // By member: its bucket.
         private var _buckets:Vector.<int> = new Vector.<int>();
 
-        // The rows of the candidates of the present member.
+        // The rows of the candidates of the present member, and those that findNear() has kept.
         private var _candidates:Vector.<int> = new Vector.<int>();
+        private var _kept:IntSet = new IntSet();
 
         /**
          * Finds all pairs whose extents overlap, and some others that are as near. Each pair is passed to the sink once.
@@ -61,55 +62,108 @@ package starlogo.broadphase
         public function findPairs(extents:Extents, members:IntList, sink:PairSink):void
         {
             sortIntoCells(extents, members);
-            for (var i:int = 1; i < levels.length; i++)
+            for (var i:int = 1; i < _levels.length; i++)
             {
-                var level:BinLevel = levels[i];
+                var level:BinLevel = _levels[i];
                 if (!level.hasBuckets)
                 {
                     continue;
                 }
-                for (var coarser:int = i + 1; coarser < levels.length; coarser++)
+                for (var coarser:int = i + 1; coarser < _levels.length; coarser++)
                 {
-                    if (levels[coarser].hasBuckets)
+                    if (_levels[coarser].hasBuckets)
                     {
-                        findPairsBetween(level, levels[coarser], sink);
+                        findPairsBetween(level, _levels[coarser], sink);
                     }
                 }
                 findPairsWithin(level, sink);
             }
         }
 
-        // Puts the members into the order of their cells, by a counting sort.
-        private function sortIntoCells(extents:Extents, members:IntList):void
+        /**
+         * Finds the members that are near a row now, level by level, and passes them to the sink. The row need not be a member.
+         *
+         * @param leftOut members that are left out. The extents of all others are still the ones that the bins have sorted
+         */
+        public function findNear(row:int, extents:Extents, leftOut:IntSet, sink:PairSink):void
+        {
+            if (extents.levelIndices[row] >= _levels.length)
+            {
+                makeLevels(extents);
+            }
+            var own:BinLevel = _levels[extents.levelIndices[row]];
+            // the slot behind those of all members
+            var slot:int = _rows.length - 1;
+            _xs[slot] = extents.x[row];
+            _ys[slot] = extents.y[row];
+            _radii[slot] = extents.radiusXY[row];
+            for (var i:int = 1; i < _levels.length; i++)
+            {
+                var level:BinLevel = _levels[i];
+                if (level.hasBuckets)
+                {
+                    var coarser:BinLevel = own.width > level.width ? own : level;
+                    var found:int = keepEach(collectNear(slot, own, level, coarser), leftOut, extents.x.length);
+                    if (found > 0)
+                    {
+                        sink.onCandidates(row, _candidates, found, coarser);
+                    }
+                }
+            }
+        }
+
+        // Keeps the candidates that are not left out, each once.
+        private function keepEach(count:int, leftOut:IntSet, rowCount:int):int
+        {
+            var kept:int = 0;
+            _kept.clear(rowCount);
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = _candidates[i];
+                if (!leftOut.has(other) && _kept.add(other))
+                {
+                    _candidates[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** Puts the members into the order of their cells, by a counting sort. */
+        public function sortIntoCells(extents:Extents, members:IntList):void
         {
             countMembers(extents, members);
             var bucketCount:int = layOutBuckets();
-            if (members.count > _buckets.length)
-            {
-                _buckets.length = members.count;
-            }
+            makeRoom(_buckets, members.count);
             fillBuckets(extents, members);
             var slots:int = findStarts(bucketCount);
-            if (slots > _rows.length)
+            if (slots >= _rows.length)
             {
-                _rows.length = _xs.length = _ys.length = _radii.length = slots;
+                // with one more, for findNear()
+                _rows.length = _xs.length = _ys.length = _radii.length = slots + 1;
             }
             sortByBuckets(members);
             copyFirstBuckets();
             copyCircles(extents, slots);
         }
 
-        // Counts the members of each level. Makes the levels that the extents have needed so far.
+        // Makes the levels that the extents have needed so far.
+        private function makeLevels(extents:Extents):void
+        {
+            while (_levels.length < extents.levelWidths.length)
+            {
+                _levels.push(new BinLevel(extents.levelWidths[_levels.length]));
+            }
+        }
+
+        // Counts the members of each level.
         private function countMembers(extents:Extents, members:IntList):void
         {
             var rows:Vector.<int> = members.values;
             var end:int = members.count;
             var indices:Vector.<int> = extents.levelIndices;
-            var all:Vector.<BinLevel> = levels;
-            while (all.length < extents.levelWidths.length)
-            {
-                all.push(new BinLevel(extents.levelWidths[all.length]));
-            }
+            var all:Vector.<BinLevel> = _levels;
+            makeLevels(extents);
             for (var i:int = 1; i < all.length; i++)
             {
                 all[i].count = 0;
@@ -126,15 +180,12 @@ package starlogo.broadphase
         private function layOutBuckets():int
         {
             var bucketCount:int = 0;
-            for (var i:int = 1; i < levels.length; i++)
+            for (var i:int = 1; i < _levels.length; i++)
             {
-                bucketCount = levels[i].layOutBuckets(bucketCount);
+                bucketCount = _levels[i].layOutBuckets(bucketCount);
             }
-            if (bucketCount > _counts.length)
-            {
-                _counts.length = bucketCount;
-                _starts.length = bucketCount + 1;
-            }
+            makeRoom(_counts, bucketCount);
+            makeRoom(_starts, bucketCount + 1);
             return bucketCount;
         }
 
@@ -149,7 +200,7 @@ package starlogo.broadphase
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
-                var level:BinLevel = levels[indices[row]];
+                var level:BinLevel = _levels[indices[row]];
                 var bucket:int = level.bucketAt(fromX[row], fromY[row]);
                 if (bucket < level.firstBucket + BinLevel.COPIED)
                 {
@@ -197,9 +248,9 @@ package starlogo.broadphase
         // Lists the members of the first buckets of each level after its last bucket once more.
         private function copyFirstBuckets():void
         {
-            for (var i:int = 1; i < levels.length; i++)
+            for (var i:int = 1; i < _levels.length; i++)
             {
-                var level:BinLevel = levels[i];
+                var level:BinLevel = _levels[i];
                 if (!level.hasBuckets)
                 {
                     continue;
@@ -272,30 +323,51 @@ package starlogo.broadphase
             }
         }
 
-        // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three lines of cells.
+        // The pairs of members of one level with members of a coarser level.
         private function findPairsBetween(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
-            var distance:Number = level.width / 2 + coarser.width / 2 + coarser.slack;
-            var starts:Vector.<int> = _starts;
-            var xs:Vector.<Number> = _xs;
-            var ys:Vector.<Number> = _ys;
-            var last:int = starts[level.endBucket];
-            for (var slot:int = starts[level.firstBucket]; slot < last; slot++)
+            var last:int = _starts[level.endBucket];
+            for (var slot:int = _starts[level.firstBucket]; slot < last; slot++)
             {
-                var column:int = coarser.cellIndexAt(xs[slot] - distance);
-                var columns:int = coarser.cellIndexAt(xs[slot] + distance) - column + 1;
-                var lastLine:int = coarser.cellIndexAt(ys[slot] + distance);
-                var found:int = 0;
-                for (var line:int = coarser.cellIndexAt(ys[slot] - distance); line <= lastLine; line++)
-                {
-                    var bucket:int = coarser.bucketOf(column, line);
-                    found = collectRun(slot, starts[bucket], starts[bucket + columns], coarser, found);
-                }
+                var found:int = collectNear(slot, level, coarser, coarser);
                 if (found > 0)
                 {
                     sink.onCandidates(_rows[slot], _candidates, found, coarser);
                 }
             }
+        }
+
+        // Makes the members of a level that are near the circle in a slot the candidates, and returns how many they are. Those of a finer level than the
+        // circle's own may come more than once. Of a coarser level, a circle meets at most three cells in each of three lines.
+        private function collectNear(slot:int, own:BinLevel, level:BinLevel, coarser:BinLevel):int
+        {
+            var distance:Number = own.width / 2 + level.width / 2 + coarser.slack;
+            var starts:Vector.<int> = _starts;
+            var x:Number = _xs[slot];
+            var y:Number = _ys[slot];
+            var cellsAcross:Number = 2 * distance * level.cellsPerPatch + 2;
+            if (cellsAcross * cellsAcross > level.mask)
+            {
+                return collectRun(slot, starts[level.firstBucket], starts[level.endBucket], coarser, 0);
+            }
+            if (!level.isWithin(x, y))
+            {
+                return 0;
+            }
+            var found:int = 0;
+            var firstColumn:int = level.cellIndexAt(x - distance);
+            var endColumn:int = level.cellIndexAt(x + distance) + 1;
+            var lastLine:int = level.cellIndexAt(y + distance);
+            for (var line:int = level.cellIndexAt(y - distance); line <= lastLine; line++)
+            {
+                for (var column:int = firstColumn; column < endColumn; column += BinLevel.RUN)
+                {
+                    var bucket:int = level.bucketOf(column, line);
+                    var columns:int = endColumn - column < BinLevel.RUN ? endColumn - column : BinLevel.RUN;
+                    found = collectRun(slot, starts[bucket], starts[bucket + columns], coarser, found);
+                }
+            }
+            return found;
         }
 
         // Adds the members in a run of slots whose circles overlap a member's circle, but for the slack of a level, to its candidates. Returns how many

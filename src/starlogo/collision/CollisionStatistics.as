@@ -133,7 +133,7 @@ package starlogo.collision
             var counts:SearchCounts = search.narrowPhase.counts;
             agents = search.table.listed.rows.count;
             agentsLoading = search.table.loadingCount;
-            agentsSkipped = agents - agentsLoading - counts.members;
+            agentsSkipped = agents - agentsLoading - search.memberCount;
             collisions = found.count;
             candidatePairs = counts.candidatePairs;
             sweptPairs = counts.sweptPairs;

@@ -25,11 +25,13 @@ package starlogo.data
                 marks.length = mark = 0;
             }
             mark++;
-            if (marks.length < length)
-            {
-                // grows by an eighth, because a vector that grows a little each time is copied each time
-                marks.length = length + (length >> 3);
-            }
+            grow(length);
+        }
+
+        /** Makes room for numbers that are less than a length. */
+        public function grow(length:int):void
+        {
+            makeRoom(marks, length);
         }
 
         /** Adds a number. Returns whether it was not in the set. */
@@ -38,6 +40,12 @@ package starlogo.data
             var isNew:Boolean = marks[number] != mark;
             marks[number] = mark;
             return isNew;
+        }
+
+        /** Adds or removes a number. */
+        public function put(number:int, isIn:Boolean):void
+        {
+            marks[number] = isIn ? mark : 0;
         }
 
         /** Whether a number is in the set. */

@@ -8,6 +8,9 @@ package starlogo.handlers
      */
     public final class HandlerList
     {
+        /** What a frame calls for a first and a second agent of these breeds. It is null if none have met since the handlers changed. */
+        public var pairHandlers:PairHandlers = null;
+
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
         // The list begins with this number of removed handlers, and has no others. They stay until the next frame makes the list anew, because each splice

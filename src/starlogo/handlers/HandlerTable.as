@@ -29,14 +29,11 @@ package starlogo.handlers
 
         private static const NONE:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
-        // By the numbers of two breeds: their index. Two breeds have one if they have handlers, or if their agents have met since the handlers changed.
+        // By the numbers of two breeds: the index of their list. They have one if they have handlers, or if their agents have met since the handlers changed.
         private var _indices:IntPairMap = new IntPairMap();
 
         // By index: the handlers that were added for just these two breeds, the first one as the collider.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
-
-        // By index: what the frame calls for a first and a second agent of these breeds; null if none have met since the handlers changed.
-        private var _pairHandlers:Vector.<PairHandlers> = new Vector.<PairHandlers>();
 
         // Counts the changes of the handlers.
         private var _revision:int = 0;
@@ -58,7 +55,7 @@ package starlogo.handlers
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
             }
-            _lists[indexFor(handler.colliderBreed, handler.collideeBreed)].add(handler);
+            listFor(handler.colliderBreed, handler.collideeBreed).add(handler);
             _revision++;
         }
 
@@ -101,13 +98,12 @@ package starlogo.handlers
                 list.appendTo(handlers, _revision);
             }
             _lists.length = 0;
-            _pairHandlers.length = 0;
             _indices.clear();
             interests = new BreedInterests();
             var newNames:Vector.<String> = new Vector.<String>();
             for each (var handler:CollisionHandler in handlers)
             {
-                _lists[indexFor(handler.colliderBreed, handler.collideeBreed)].add(handler);
+                listFor(handler.colliderBreed, handler.collideeBreed).add(handler);
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
                 if (handler.addedAt >= _frameRevision)
                 {
@@ -127,12 +123,12 @@ package starlogo.handlers
          */
         public function handlersOf(firstBreed:int, secondBreed:int):PairHandlers
         {
-            var index:int = indexFor(firstBreed, secondBreed);
-            if (_pairHandlers[index] == null)
+            var list:HandlerList = listFor(firstBreed, secondBreed);
+            if (list.pairHandlers == null)
             {
-                _pairHandlers[index] = new PairHandlers(collect(firstBreed, secondBreed), collect(secondBreed, firstBreed));
+                list.pairHandlers = new PairHandlers(collect(firstBreed, secondBreed), collect(secondBreed, firstBreed));
             }
-            return _pairHandlers[index];
+            return list.pairHandlers;
         }
 
         /** Returns the handlers of the breeds that the agents of a found pair have now. */
@@ -180,17 +176,16 @@ package starlogo.handlers
             return Breeds.isEnvironment(breed) ? [breed] : [breed, Breeds.ANY_NUMBER];
         }
 
-        // The index of two breeds, by their numbers; a new one, with an empty list, if there is none.
-        private function indexFor(firstBreed:int, secondBreed:int):int
+        // The list of two breeds, by their numbers; a new one if there is none.
+        private function listFor(colliderBreed:int, collideeBreed:int):HandlerList
         {
-            var index:int = _indices.find(firstBreed, secondBreed);
+            var index:int = _indices.find(colliderBreed, collideeBreed);
             if (index < 0)
             {
                 index = _lists.push(new HandlerList()) - 1;
-                _pairHandlers.push(null);
-                _indices.set (firstBreed, secondBreed, index);
+                _indices.set (colliderBreed, collideeBreed, index);
             }
-            return index;
+            return _lists[index];
         }
 
         // The list for just two breeds; null if there is none.

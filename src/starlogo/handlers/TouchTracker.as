@@ -2,6 +2,7 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.data.IntList;
+    import starlogo.data.IntSet;
     import starlogo.data.IntPairMap;
     import starlogo.data.SortableIntList;
     import starlogo.engine;
@@ -19,14 +20,11 @@ package starlogo.handlers
      */
     public final class TouchTracker
     {
-        /** The number of the frame, from 1 on. */
-        public var frame:int = 0;
-
         // By index: all touches that there are, and objects for later ones, which have no agents.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
 
-        // By index: the last frame in which the touch began or went on. It is no field of Touch, because a loop over a list is faster.
-        private var _lastFrames:Vector.<int> = new Vector.<int>();
+        // The indices of the touches that began or went on in this frame. It is no field of Touch, because a loop over a list is faster.
+        private var _present:IntSet = new IntSet();
 
         // By the ids of the first and of the second agent: the index of their touch.
         private var _indices:IntPairMap = new IntPairMap();
@@ -65,7 +63,9 @@ package starlogo.handlers
                 pairs.forgetTouches();
                 _pairs = pairs;
             }
-            frame++;
+            _present.clear(_all.length);
+            var marks:Vector.<int> = _present.marks;
+            var mark:int = _present.mark;
             var touchIndices:Vector.<int> = pairs.touchIndices;
             for (var pair:int = 0; pair < pairs.count; pair++)
             {
@@ -79,7 +79,7 @@ package starlogo.handlers
                 }
                 else
                 {
-                    _lastFrames[touchIndices[pair]] = frame;
+                    marks[touchIndices[pair]] = mark;
                 }
             }
             return _starting;
@@ -88,10 +88,12 @@ package starlogo.handlers
         /** Ends the lost touches: those that do not go on in this frame. */
         public function endLostTouches():void
         {
-            for (var index:int = 0; index < _lastFrames.length; index++)
+            var marks:Vector.<int> = _present.marks;
+            var mark:int = _present.mark;
+            for (var index:int = 0; index < _all.length; index++)
             {
-                // objects without a touch have old frames too
-                if (_lastFrames[index] < frame && _all[index].first != null)
+                // objects without a touch are not present either
+                if (marks[index] != mark && _all[index].first != null)
                 {
                     var touch:Touch = _all[index];
                     _indices.remove(touch.first.idNumber, touch.second.idNumber);
@@ -169,7 +171,7 @@ package starlogo.handlers
             touch.secondBreed = secondBreed;
             touch.hasReachedSecond = false;
             touch.order = _startedCount;
-            _lastFrames[touch.index] = frame;
+            _present.add(touch.index);
             _startedCount++;
             _indices.set (first.idNumber, second.idNumber, touch.index);
             return touch;
@@ -216,6 +218,7 @@ package starlogo.handlers
             }
             var touch:Touch = new Touch();
             touch.index = _all.push(touch) - 1;
+            _present.grow(_all.length);
             return touch;
         }
 

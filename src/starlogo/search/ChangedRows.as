@@ -1,7 +1,7 @@
 package starlogo.search
 {
     import starlogo.broadphase.BinLevel;
-    import starlogo.broadphase.CellLists;
+    import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.data.IntList;
     import starlogo.data.IntSet;
@@ -17,7 +17,7 @@ package starlogo.search
      * others in the list, or if it becomes a member of the search or ceases to be one. After a search with sweeping agents, rows that moved in that
      * search have changed too, because their pairs belong to their motions.</p>
      */
-    internal final class ChangedRows
+    internal final class ChangedRows extends PairSink
     {
         // Changed rows are few if there are at least this many rows for each of them.
         private static const ROWS_PER_CHANGE:int = 8;
@@ -28,44 +28,61 @@ package starlogo.search
         /** The rows whose pairs are found anew: the same, and those of the ground and the edges of the world if these have changed. Read only. */
         public var invalidRows:IntSet = new IntSet();
 
+        /** The number of members of the search. Read only. */
+        public var memberCount:int = 0;
+
         private var _table:AgentTable;
         private var _motions:RowMotions;
 
-        // The members of the last search of all rows. The first search of few rows after it puts them into cells, which then have the members of each
-        // search. Games in which most rows change need no cells.
-        private var _members:IntList = new IntList();
-        private var _cells:CellLists;
-        private var _hasCells:Boolean = false;
+        // They have sorted all members, in this search or in an earlier one.
+        private var _bins:Bins;
+
+        // The rows of the members.
+        private var _members:IntSet = new IntSet();
+
+        // The rows whose circles in the bins are stale, because they have changed since; the members among them, and the bins that find their pairs.
+        private var _stale:IntList = new IntList();
+        private var _staleMembers:IntList = new IntList();
+        private var _isStale:IntSet = new IntSet();
+        private var _binsOfStale:Bins = new Bins();
+
+        // Takes the pairs of a search.
+        private var _sink:PairSink = null;
 
         /**
          * @param table has the rows
          * @param motions those of the rows
-         * @param levels those of the bins
+         * @param bins those of the searches of all rows
          */
-        public function ChangedRows(table:AgentTable, motions:RowMotions, levels:Vector.<BinLevel>)
+        public function ChangedRows(table:AgentTable, motions:RowMotions, bins:Bins)
         {
             _table = table;
             _motions = motions;
-            _cells = new CellLists(levels);
+            _bins = bins;
         }
 
-        /** The number of members of the search. */
-        public function get memberCount():int
-        {
-            return _cells.count;
-        }
-
-        /** Begins with the members of a search of all rows. */
+        /** Begins with the members of a search of all rows, which the bins have sorted. */
         public function begin(members:IntList):void
         {
-            _members.copyFrom(members);
-            _hasCells = false;
+            memberCount = members.count;
+            _members.clear(_table.listed.rowCapacity);
+            for (var i:int = 0; i < members.count; i++)
+            {
+                _members.add(members.values[i]);
+            }
+            forgetStale();
+        }
+
+        private function forgetStale():void
+        {
+            _stale.count = 0;
+            _isStale.clear(_table.listed.rowCapacity);
         }
 
         /**
-         * Finds the rows that have changed, and moves them to their cells. The table has read the agents, the ground and the edges.
+         * Finds the rows that have changed. The table has read the agents, the ground and the edges.
          *
-         * @return false if all rows have to be searched: if too many have changed, or the cells need other buckets
+         * @return false if too many have changed, so that all rows have to be searched
          */
         public function tryFind(input:SearchInput):Boolean
         {
@@ -73,13 +90,17 @@ package starlogo.search
             {
                 return false;
             }
-            if (!_hasCells)
-            {
-                _cells.begin(_motions.searchExtents, _members, _table.listed.rowCapacity);
-                _hasCells = true;
-            }
             findRows(input);
-            return areFew(rows.count) && tryMoveToCells(input);
+            if (!areFew(rows.count))
+            {
+                return false;
+            }
+            if (rows.count > 0)
+            {
+                _motions.findExtents(rows);
+                noteStale(input);
+            }
+            return true;
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -92,7 +113,8 @@ package starlogo.search
         {
             rows.count = 0;
             invalidRows.clear(_table.listed.rowCapacity);
-            _cells.makeRoom(_table.listed.rowCapacity);
+            _members.grow(_table.listed.rowCapacity);
+            _isStale.grow(_table.listed.rowCapacity);
             addAll(_table.changed);
             addAll(_table.listed.leftOrReordered);
             addAll(_motions.rowsToRetest);
@@ -107,23 +129,33 @@ package starlogo.search
             }
         }
 
-        // Moves the rows that have changed to their cells. Returns whether the cells have the right buckets, and each row a level with buckets.
-        private function tryMoveToCells(input:SearchInput):Boolean
+        // Notes that the circles of changed rows are stale. If too many are then, sorts all members before.
+        private function noteStale(input:SearchInput):void
         {
-            _motions.findExtents(rows);
+            if (!areFew(_stale.count + rows.count))
+            {
+                _bins.sortIntoCells(_motions.searchExtents, input.membersOf(_table));
+                forgetStale();
+            }
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.values[i];
-                if (!input.isMember(row, _table))
+                var isMember:Boolean = input.isMember(row, _table);
+                memberCount += int(isMember) - int(_members.has(row));
+                _members.put(row, isMember);
+                if (_isStale.add(row))
                 {
-                    _cells.remove(row);
-                }
-                else if (!_cells.tryUpdate(row))
-                {
-                    return false;
+                    _stale.add(row);
                 }
             }
-            return !_cells.needsNewBuckets;
+            _staleMembers.count = 0;
+            for (i = 0; i < _stale.count; i++)
+            {
+                if (_members.has(_stale.values[i]))
+                {
+                    _staleMembers.add(_stale.values[i]);
+                }
+            }
         }
 
         /** Finds the members near the changed ones, as the bins do for all. Each pair is passed to the sink once. */
@@ -131,11 +163,43 @@ package starlogo.search
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (_cells.has(rows.values[i]))
+                if (_members.has(rows.values[i]))
                 {
-                    _cells.findNear(rows.values[i], invalidRows, sink);
+                    _bins.findNear(rows.values[i], _motions.searchExtents, _isStale, sink);
                 }
             }
+            if (rows.count > 0)
+            {
+                _sink = sink;
+                _binsOfStale.findPairs(_motions.searchExtents, _staleMembers, this);
+            }
+        }
+
+        /** Takes pairs of stale rows, and passes on those of which one row has changed. @inheritDoc */
+        override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
+        {
+            if (!invalidRows.has(row))
+            {
+                count = keepChanged(others, count);
+            }
+            if (count > 0)
+            {
+                _sink.onCandidates(row, others, count, level);
+            }
+        }
+
+        private function keepChanged(others:Vector.<int>, count:int):int
+        {
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (invalidRows.has(others[i]))
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
         }
 
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
@@ -167,7 +231,7 @@ package starlogo.search
             for (var i:int = 0; i < listed.count; i++)
             {
                 var row:int = listed.values[i];
-                if (input.isMember(row, _table) != _cells.has(row))
+                if (input.isMember(row, _table) != _members.has(row))
                 {
                     add(row);
                 }

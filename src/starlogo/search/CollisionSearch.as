@@ -72,7 +72,7 @@ package starlogo.search
             table = new AgentTable(narrowPhase.shapeChoice);
             _motions = new RowMotions(table);
             _candidateTests = new CandidateTests(table, narrowPhase, _motions);
-            _changedRows = new ChangedRows(table, _motions, _bins.levels);
+            _changedRows = new ChangedRows(table, _motions, _bins);
             _pairs = new FoundPairs(table.listed);
             _pairsOfChanged = new FoundPairs(table.listed);
         }
@@ -109,6 +109,12 @@ package starlogo.search
             return _pairs;
         }
 
+        /** The number of members of the last search: the agents that took part. */
+        public function get memberCount():int
+        {
+            return _changedRows.memberCount;
+        }
+
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
@@ -142,29 +148,24 @@ package starlogo.search
                 return;
             }
             // from here on the first is an agent of the game
-            if (table.isSeen(rowA) && table.isSeen(rowB))
+            var areSeen:Boolean = table.isSeen(rowA) && table.isSeen(rowB);
+            if (areSeen)
             {
                 table.followPose(rowA);
                 table.followPose(rowB);
-                if (!_candidateTests.findContactOnMotions(rowA, rowB, motion, out))
+                if (_candidateTests.findContactOnMotions(rowA, rowB, motion, out))
                 {
-                    findContactOfBodies(table.bodyOf(rowA), table.bodyOf(rowB), motion, out);
+                    return;
                 }
-                return;
             }
-            var bodyA:Body = table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = b.isEnvironment && table.isSeen(rowB) ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
+            var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = areSeen || b.isEnvironment && table.isSeen(rowB) ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
             if (bodyA.shape == null || bodyB.shape == null)
             {
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            findContactOfBodies(bodyA, bodyB, motion, out);
-        }
-
-        private function findContactOfBodies(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            narrowPhase.pairTestsFor(a, b).findContact(a, b, motion, out);
+            narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
 
         /** The table was read without a search: the next search is one of all rows. */
@@ -204,7 +205,6 @@ package starlogo.search
             _candidateTests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
             _changedRows.begin(members);
-            narrowPhase.counts.members = members.count;
             // these overwrite the list of members
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, table.listed.rows, input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, table.listed.rows, input);
@@ -221,7 +221,6 @@ package starlogo.search
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
             var earlyCount:int = _pairOrder.putInOrder(_pairsOfChanged, _candidateTests.times);
             _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
-            narrowPhase.counts.members = _changedRows.memberCount;
         }
     }
 }

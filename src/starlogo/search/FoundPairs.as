@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.data.IntSet;
+    import starlogo.data.makeRoom;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
 
@@ -63,7 +64,8 @@ package starlogo.search
          */
         internal function replacePairsOf(changed:IntSet, found:FoundPairs, earlyCount:int):void
         {
-            makeRoom(count + found.count);
+            makeRoom(_backRows, 2 * (count + found.count));
+            makeRoom(_backTouchIndices, count + found.count);
             var added:int = 0;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
@@ -93,7 +95,8 @@ package starlogo.search
         /** Puts pairs that were all found anew into another order. They have no touches then. @param order by the new index: the present one */
         internal function reorder(order:Vector.<int>):void
         {
-            makeRoom(count);
+            makeRoom(_backRows, 2 * count);
+            makeRoom(_backTouchIndices, count);
             for (var i:int = 0; i < count; i++)
             {
                 write(i, rows[int(2 * order[i])], rows[int(2 * order[i] + 1)], NO_TOUCH);
@@ -115,20 +118,6 @@ package starlogo.search
             var listIndices:Vector.<int> = listed.listIndices;
             var index:int = listIndices[rows[int(2 * pair)]];
             return index < listIndices[a] || index == listIndices[a] && listIndices[rows[int(2 * pair + 1)]] < listIndices[b];
-        }
-
-        // Makes room for a number of pairs in the back buffers.
-        private function makeRoom(pairCount:int):void
-        {
-            // they grow by an eighth, because a vector that grows a little in each frame is copied each time
-            if (_backRows.length < 2 * pairCount)
-            {
-                _backRows.length = 2 * (pairCount + (pairCount >> 3));
-            }
-            if (_backTouchIndices.length < pairCount)
-            {
-                _backTouchIndices.length = pairCount + (pairCount >> 3);
-            }
         }
 
         // Swaps the lists of the pairs and their back buffers.

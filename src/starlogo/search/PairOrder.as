@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.data.SortableIntList;
+    import starlogo.data.makeRoom;
     import starlogo.search.table.ListedAgents;
 
     /**
@@ -58,11 +59,7 @@ package starlogo.search
         private function scatter(pairs:FoundPairs, side:int, from:Vector.<int>, to:Vector.<int>):void
         {
             findStarts(pairs, side);
-            if (to.length < pairs.count)
-            {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                to.length = pairs.count + (pairs.count >> 3);
-            }
+            makeRoom(to, pairs.count);
             var next:Vector.<int> = _next;
             var listIndices:Vector.<int> = pairs.listed.listIndices;
             var rows:Vector.<int> = pairs.rows;
@@ -80,10 +77,7 @@ package starlogo.search
         {
             // the edges of the world have the last index
             var indexCount:int = pairs.listed.listIndices[ListedAgents.EDGES_ROW] + 1;
-            if (_next.length < indexCount)
-            {
-                _next.length = indexCount;
-            }
+            makeRoom(_next, indexCount);
             var next:Vector.<int> = _next;
             for (var index:int = 0; index < indexCount; index++)
             {

@@ -7,15 +7,12 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * What a search counts while it runs, as a record: members, candidates and tests. CollisionStatistics shows them to games.
+     * What a search counts while it runs, as a record: candidates and tests. CollisionStatistics shows them to games.
      *
      * @private
      */
     public final class SearchCounts
     {
-        /** The agents that take part: the members of the search. */
-        public var members:int = 0;
-
         /** Candidate pairs of a search whose breeds are of interest. */
         public var candidatePairs:int = 0;
 
@@ -31,7 +28,7 @@ package starlogo.search
         /** Sets all to 0. */
         public function clear():void
         {
-            members = candidatePairs = sweptPairs = 0;
+            candidatePairs = sweptPairs = 0;
             for (var i:int = 0; i < structures.length; i++)
             {
                 structures[i] = 0;

@@ -4,8 +4,12 @@ package starlogo.broadphase
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.data.IntList;
+    import starlogo.data.IntSet;
 
-    /** The bins alone, with extents that come from no agent. */
+    /**
+     * The bins alone, with extents that come from no agent. ChangedRowsTest and test/fuzz/kept.test.mjs compare whole frames in which few agents have
+     * changed with those of a search of all rows.
+     */
     public class BinsTest
     {
         private var _bins:Bins = new Bins();
@@ -88,6 +92,71 @@ package starlogo.broadphase
                 search();
                 assertEquals(gap + " apart at " + column + ", " + line + " of " + width, 1, _sink.length);
             }
+        }
+
+        /** The widest members that a level takes: one ends a little before a border of cells, and the other begins there, hardly apart. */
+        [Test]
+        public function thoseOfTheWidthOfACellThatTouchByRoundingAreNear():void
+        {
+            var random:SeededRandom = new SeededRandom(743);
+            for (var i:int = 0; i < 300; i++)
+            {
+                clear();
+                var level:BinLevel = new BinLevel(Math.pow(2, random.integer(-8, 8)));
+                var border:Number = random.integer(-1000, 1000) / level.cellsPerPatch;
+                var gap:Number = level.slack * random.between(0.2, 0.9);
+                var isAlongX:Boolean = random.chance();
+                for each (var middle:Number in [border - gap / 2 - level.width, border + gap / 2])
+                {
+                    add(isAlongX ? middle : 0, isAlongX ? 0 : middle, level.width / 2, level.width / 2);
+                    _extents.radiusXY[_rows.length - 1] = level.width / 2;
+                }
+                search();
+                searchNear(0, 1);
+                searchNear(1, 0);
+                assertEquals(gap + " apart at " + border + ": of all, and of each", "0-1 0-1 1-0 1-1 ", _sink.order);
+            }
+        }
+
+        [Test]
+        public function rowsThatAreLeftOutAreNotNear():void
+        {
+            for (var i:int = 0; i < 4; i++)
+            {
+                add(i / 10, 0, 1, 1);
+            }
+            search();
+            _sink.clear();
+            searchNear(1, 3);
+            assertEquals("1-3 ", _sink.order);
+        }
+
+        /** A row that the bins have sorted elsewhere, or not at all, is near members of finer and of coarser levels. */
+        [Test]
+        public function aRowThatHasMovedIsNearMembersOfAllLevels():void
+        {
+            var random:SeededRandom = new SeededRandom(744);
+            for (var i:int = 0; i < 300; i++)
+            {
+                add(random.between(-20, 20), random.between(-20, 20), random.logBetween(0.001, 3), random.logBetween(0.001, 3));
+            }
+            search(299);
+            var found:int = 0;
+            for each (var half:Number in [0.001, 0.1, 2, 8, 100])
+            {
+                _extents.x[299] = random.between(-5, 5);
+                _extents.halfX[299] = _extents.halfY[299] = half;
+                _extents.radiusXY[299] = half * Math.SQRT2;
+                _extents.assignLevel(299);
+                _sink.clear();
+                searchNear(299, 0);
+                for (var other:int = 0; other < 299; other++)
+                {
+                    assertPair(half + " and " + other, 299, other);
+                    found += _sink.count(299, other);
+                }
+            }
+            assertTrue(found + " found", found > 300);
         }
 
         [Test]
@@ -181,36 +250,65 @@ package starlogo.broadphase
             return members;
         }
 
-        // How many overlap. A pair a hair's breadth apart may be found or not.
+        // What is near a row, without rows that are less than another one. A row is near itself.
+        private function searchNear(row:int, end:int):void
+        {
+            var all:IntSet = new IntSet();
+            all.clear(_rows.length);
+            for each (var other:int in _rows)
+            {
+                all.put(other, other < end);
+            }
+            _bins.findNear(row, _extents, all, _sink);
+        }
+
+        // How many overlap, as all pairs and as what is near each row. A pair a hair's breadth apart may be found or not.
         private function assertLikeBruteForce(name:String):int
         {
             search();
+            var overlapping:int = assertPairs(name);
+            _sink.clear();
+            for each (var row:int in _rows)
+            {
+                searchNear(row, row + 1);
+            }
+            assertEquals(overlapping, assertPairs(name + ", near each"));
+            return overlapping;
+        }
+
+        private function assertPairs(name:String):int
+        {
             var overlapping:int = 0;
             for (var i:int = 0; i < _rows.length; i++)
             {
                 for (var j:int = i + 1; j < _rows.length; j++)
                 {
-                    var a:int = _rows[i];
-                    var b:int = _rows[j];
-                    var x:Number = _extents.x[a] - _extents.x[b];
-                    var y:Number = _extents.y[a] - _extents.y[b];
-                    var gapX:Number = Math.abs(x) - _extents.halfX[a] - _extents.halfX[b];
-                    var gapY:Number = Math.abs(y) - _extents.halfY[a] - _extents.halfY[b];
-                    var gap:Number = Math.sqrt(x * x + y * y) - _extents.radiusXY[a] - _extents.radiusXY[b];
-                    var found:int = _sink.count(a, b);
-                    if (gapX <= 0 && gapY <= 0)
-                    {
-                        overlapping++;
-                        assertEquals(name + ", " + i + " and " + j, 1, found);
-                    }
-                    else if (gap > 1e-2)
-                    {
-                        assertEquals(name + ", " + i + " and " + j, 0, found);
-                    }
-                    assertTrue(name + ", " + i + " and " + j + " twice", found <= 1);
+                    overlapping += int(assertPair(name + ", " + i + " and " + j, _rows[i], _rows[j]));
                 }
             }
             return overlapping;
+        }
+
+        // Whether the two overlap.
+        private function assertPair(name:String, a:int, b:int):Boolean
+        {
+            var x:Number = _extents.x[a] - _extents.x[b];
+            var y:Number = _extents.y[a] - _extents.y[b];
+            var gapX:Number = Math.abs(x) - _extents.halfX[a] - _extents.halfX[b];
+            var gapY:Number = Math.abs(y) - _extents.halfY[a] - _extents.halfY[b];
+            var gap:Number = Math.sqrt(x * x + y * y) - _extents.radiusXY[a] - _extents.radiusXY[b];
+            var found:int = _sink.count(a, b);
+            var areOverlapping:Boolean = gapX <= 0 && gapY <= 0;
+            if (areOverlapping)
+            {
+                assertEquals(name, 1, found);
+            }
+            else if (gap > 1e-2)
+            {
+                assertEquals(name, 0, found);
+            }
+            assertTrue(name + " twice", found <= 1);
+            return areOverlapping;
         }
     }
 }

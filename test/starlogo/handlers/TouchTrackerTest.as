@@ -60,7 +60,6 @@ package starlogo.handlers
                     }
                 }
                 begin(false);
-                assertEquals(frame, _tracker.frame);
                 var left:Array = pairs.filter(function(each:String, ...rest):Boolean
                     {
                         return seen.hasOwnProperty(each);

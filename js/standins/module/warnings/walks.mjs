@@ -80,10 +80,10 @@ export function $warnOfWalk(seen, walker, footing) {
 	$countStop(handlers, "ends on", agent, end.on);
 }
 
-function $countStop({ interests, _pairHandlers, _indices }, does, agent, other) {
+function $countStop({ interests, _lists, _indices }, does, agent, other) {
 	if (!agent || !other) return; // the walk was refused, or went on
 	const [breed, otherBreed] = [agent.$breedNumber, other.$breedNumber];
-	const haveMet = (first, second) => _pairHandlers[_indices.find(first, second)];
+	const haveMet = (first, second) => _lists[_indices.find(first, second)]?.pairHandlers;
 	if (!interests.$hasPair(breed, otherBreed) || haveMet(breed, otherBreed) || haveMet(otherBreed, breed)) return;
 	const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
 	const stops = ($stops.get(name + otherName) ?? 0) + 1;

@@ -31,7 +31,7 @@ package starlogo.search.pairs
         private static const OUTWARDS:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
 
-        // By edge, within one method: how far the body is beyond it (less than 0 if the body is before it). findPenetrations() and findDeepest() set it.
+        // By edge, after findPenetrations(): how far the body is beyond it; less than 0 if the body is before it.
         private var _penetrations:Vector.<Number> = new Vector.<Number>(6, true);
 
         private var _supportSearch:SupportSearch;
@@ -68,6 +68,7 @@ package starlogo.search.pairs
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var tolerance:Number = touchToleranceOf(a);
+            motion.time = 1;
             findPenetrations(a, b, motion, tolerance);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
@@ -161,9 +162,8 @@ package starlogo.search.pairs
             // for trees, the points at all edges are needed
             findPenetrations(a, b, motion, Infinity);
             var deepest:int = 0;
-            for (var edge:int = 0; edge < 6; edge++)
+            for (var edge:int = 1; edge < 6; edge++)
             {
-                _penetrations[edge] -= (1 - motion.time) * along(edge, motion.x, motion.y, motion.z);
                 deepest = _penetrations[edge] > _penetrations[deepest] ? edge : deepest;
             }
             return deepest;
@@ -175,8 +175,8 @@ package starlogo.search.pairs
             return body.margin + Tolerances.ROUNDING * body.maxHalf;
         }
 
-        // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, within the
-        // tolerance.
+        // Finds how far the body is beyond each edge at the time of a motion. A tree's own points are computed only for edges that its extents come to on
+        // the motion, within the tolerance.
         private function findPenetrations(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number):void
         {
             for (var edge:int = 0; edge < 6; edge++)
@@ -184,12 +184,13 @@ package starlogo.search.pairs
                 var coordinate:Number = coordinateOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = radius + (along(edge, body.middleX, body.middleY, body.middleZ) - coordinate);
-                _penetrations[edge] = beyond;
-                if (body.kind == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
+                var way:Number = along(edge, motion.x, motion.y, motion.z);
+                if (body.kind == ModelShape.TREE && (beyond >= -tolerance || beyond - way >= -tolerance))
                 {
                     _supportSearch.find(body, OUTWARDS[edge], _farthest);
-                    _penetrations[edge] = _farthest.support - coordinate;
+                    beyond = _farthest.support - coordinate;
                 }
+                _penetrations[edge] = beyond - (1 - motion.time) * way;
             }
         }
 

@@ -36,9 +36,9 @@ package starlogo.search.penetration
 
         private var _pair:DisplacedPair;
 
-        // The direction, with the distance that is tested; and the distances along it between which the two part. They touch at the inner one, unless it
+        // The push that is tested: its direction and length; and the lengths between which the two part. They touch at the inner one, unless it
         // is 0. They are free at the outer one, once they have been tested there.
-        private var _tried:Displacement = new Displacement();
+        private var _tried:ContactPoint = new ContactPoint();
         private var _inner:Number = 0;
         private var _outer:Number = 0;
 
@@ -60,7 +60,7 @@ package starlogo.search.penetration
          */
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
-            begin(guess.normalX, guess.normalY, guess.normalZ, guess.depth + _pair.tolerance);
+            begin(guess, guess.depth + _pair.tolerance);
             growOuter(MIN_DEPTH_TO_IMPROVE * _pair.largestExtent);
             refine(out);
         }
@@ -68,19 +68,19 @@ package starlogo.search.penetration
         /**
          * Shortens a push.
          *
-         * @param free a displacement after which the two do not touch
+         * @param free a push after which the two do not touch
          * @param out receives the normal, the depth and the point
          */
-        public function shorten(free:Displacement, out:ContactPoint):void
+        public function shorten(free:ContactPoint, out:ContactPoint):void
         {
-            begin(free.directionX, free.directionY, free.directionZ, free.distance);
+            begin(free, free.depth);
             refine(out);
         }
 
-        // Begins with a direction, and the whole way up to an outer distance along it.
-        private function begin(x:Number, y:Number, z:Number, outer:Number):void
+        // Begins with the normal of a contact, and the whole way up to an outer distance along it.
+        private function begin(contact:ContactPoint, outer:Number):void
         {
-            _tried.setDirection(x, y, z);
+            _tried.setNormal(contact.normalX, contact.normalY, contact.normalZ);
             _inner = 0;
             _outer = outer;
         }
@@ -111,7 +111,7 @@ package starlogo.search.penetration
             {
                 return false;
             }
-            begin(_parting.normalX, _parting.normalY, _parting.normalZ, cosine * contact.depth + _pair.tolerance);
+            begin(_parting, cosine * contact.depth + _pair.tolerance);
             return !areTouchingAtOuter();
         }
 
@@ -132,11 +132,11 @@ package starlogo.search.penetration
         private function sweepBack(out:ContactPoint):void
         {
             bisect(SWEPT_WIDTH * _pair.largestExtent);
-            _tried.distance = _inner;
+            _tried.depth = _inner;
             _pair.displace(_tried);
             // the first body is at the inner distance, so its motion from the outer one is against the direction
             var back:Number = _inner - _outer;
-            _back.endAfter(back * _tried.directionX, back * _tried.directionY, back * _tried.directionZ);
+            _back.endAfter(back * _tried.normalX, back * _tried.normalY, back * _tried.normalZ);
             _pair.findImpactOfSurfaces(_back, _parting);
             if (_back.time == RelativeMotion.NEVER)
             {
@@ -144,7 +144,7 @@ package starlogo.search.penetration
                 _pair.findContactOfParts(_parting);
             }
             var time:Number = Math.min(_back.time, 1);
-            out.setNormal(_tried.directionX, _tried.directionY, _tried.directionZ);
+            out.setNormal(_tried.normalX, _tried.normalY, _tried.normalZ);
             out.depth = _outer + time * back;
         }
 
@@ -153,14 +153,14 @@ package starlogo.search.penetration
         {
             for (var i:int = 0; i < MAX_HALVINGS && _outer - _inner > width; i++)
             {
-                _tried.distance = (_inner + _outer) / 2;
-                if (_pair.touchesAt(_tried))
+                _tried.depth = (_inner + _outer) / 2;
+                if (_pair.touchesAfter(_tried))
                 {
-                    _inner = _tried.distance;
+                    _inner = _tried.depth;
                 }
                 else
                 {
-                    _outer = _tried.distance;
+                    _outer = _tried.depth;
                 }
             }
         }
@@ -169,15 +169,15 @@ package starlogo.search.penetration
         private function correctDepth(out:ContactPoint):void
         {
             var probe:Number = _pair.probeDistance;
-            begin(out.normalX, out.normalY, out.normalZ, out.depth + probe);
+            begin(out, out.depth + probe);
             if (growOuter(probe))
             {
-                _tried.distance = out.depth - probe;
-                if (_tried.distance <= 0 || _pair.touchesAt(_tried))
+                _tried.depth = out.depth - probe;
+                if (_tried.depth <= 0 || _pair.touchesAfter(_tried))
                 {
                     return;
                 }
-                _outer = _tried.distance;
+                _outer = _tried.depth;
             }
             bisect(probe);
             out.depth = (_outer + _inner) / 2;
@@ -185,8 +185,8 @@ package starlogo.search.penetration
 
         private function areTouchingAtOuter():Boolean
         {
-            _tried.distance = _outer;
-            return _pair.touchesAt(_tried);
+            _tried.depth = _outer;
+            return _pair.touchesAfter(_tried);
         }
     }
 }

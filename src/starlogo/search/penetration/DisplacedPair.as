@@ -1,4 +1,5 @@
-// This folder finds short pushes out of overlaps, for contacts that separate two bodies. A DisplacedPair puts the first body to places that are tried.
+// This folder finds short pushes out of overlaps, for contacts that separate two bodies. A push is the normal and the depth of a ContactPoint: it moves
+// the first body along the normal by the depth. A DisplacedPair puts that body to places that are tried.
 // A PenetrationSearch tries pushes out of all contacts so far (PushOut, with HalfSpaceSolver), looks for the end of a push along one direction
 // (DirectionSearch), and tries places above the ground (PlacesAbove). An exit leads one point out, a push the whole body.
 // Read this file first, then PenetrationSearch, then PushOut.
@@ -150,17 +151,17 @@ package starlogo.search.penetration
             first.moveTo(_place);
         }
 
-        /** Displaces the first body along a direction. */
-        public function displace(by:Displacement):void
+        /** Displaces the first body by a push. */
+        public function displace(push:ContactPoint):void
         {
-            _place.setTo(_from.x + by.distance * by.directionX, _from.y + by.distance * by.directionY, _from.z + by.distance * by.directionZ);
+            _place.setTo(_from.x + push.depth * push.normalX, _from.y + push.depth * push.normalY, _from.z + push.depth * push.normalZ);
             first.moveTo(_place);
         }
 
-        /** Displaces the first body. Returns whether it touches the second one there. */
-        public function touchesAt(displacement:Displacement):Boolean
+        /** Displaces the first body by a push. Returns whether it touches the second one there. */
+        public function touchesAfter(push:ContactPoint):Boolean
         {
-            displace(displacement);
+            displace(push);
             return areTouching();
         }
 

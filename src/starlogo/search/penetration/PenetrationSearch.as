@@ -29,10 +29,9 @@ package starlogo.search.penetration
         private var _groundExits:GroundExits;
         private var _placesAbove:PlacesAbove;
 
-        // The contact of the two at the touch, a contact with another direction to try, and the displacement that is tried.
+        // The contact of the two at the touch, and another push to try.
         private var _contact:ContactPoint = new ContactPoint();
         private var _guess:ContactPoint = new ContactPoint();
-        private var _tried:Displacement = new Displacement();
 
         /**
          * @param pair takes the two bodies of each search
@@ -116,11 +115,10 @@ package starlogo.search.penetration
                 _directions.findAlong(_guess, out);
                 return;
             }
-            _tried.setDirection(_guess.normalX, _guess.normalY, _guess.normalZ);
-            _tried.distance = out.depth - _pair.tolerance;
-            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
+            _guess.depth = out.depth - _pair.tolerance;
+            if (_guess.depth > 0 && !_pair.touchesAfter(_guess))
             {
-                _directions.shorten(_tried, out);
+                _directions.shorten(_guess, out);
             }
         }
     }

@@ -35,10 +35,10 @@ package starlogo.search.penetration
         private var _shortest:Number = 0;
         private var _place:Vector3D = new Vector3D();
         private var _above:Vector3D = new Vector3D();
-        private var _tried:Displacement = new Displacement();
+        private var _tried:ContactPoint = new ContactPoint();
 
-        // The displacement along the shortest push at which the body was found free: a little beyond the push's end.
-        private var _free:Displacement = new Displacement();
+        // The shortest push, a little longer: the body was found free there.
+        private var _free:ContactPoint = new ContactPoint();
 
         // A sweep, and the contact at its end.
         private var _sweep:RelativeMotion = new RelativeMotion();
@@ -121,15 +121,14 @@ package starlogo.search.penetration
             {
                 return false;
             }
-            _tried.setDirection(x / length, y / length, z / length);
-            _tried.distance = length + beyond;
-            if (_pair.touchesAt(_tried))
+            _tried.setNormal(x / length, y / length, z / length);
+            _tried.depth = length + beyond;
+            if (_pair.touchesAfter(_tried))
             {
                 return false;
             }
             _shortest = length;
-            _free.setDirection(_tried.directionX, _tried.directionY, _tried.directionZ);
-            _free.distance = _tried.distance;
+            _free.copyFrom(_tried);
             return true;
         }
 
@@ -150,9 +149,9 @@ package starlogo.search.penetration
         // push to where the slide ends, if the body is free minOpening beyond, because it may have slid into a gap.
         private function slideBack():void
         {
-            var x:Number = _shortest * _free.directionX;
-            var y:Number = _shortest * _free.directionY;
-            var z:Number = _shortest * _free.directionZ;
+            var x:Number = _shortest * _free.normalX;
+            var y:Number = _shortest * _free.normalY;
+            var z:Number = _shortest * _free.normalZ;
             _planes.clear();
             for (var i:int = 0; i < MAX_PLANES && _planes.distance < _shortest; i++)
             {

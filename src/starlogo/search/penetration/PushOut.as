@@ -42,8 +42,8 @@ package starlogo.search.penetration
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
 
-        // The displacement that is tried: about the push.
-        private var _tried:Displacement = new Displacement();
+        // The push that is tried: about as long as the shortest one.
+        private var _tried:ContactPoint = new ContactPoint();
 
         /**
          * @param pair has the two bodies. Call its <code>setTo()</code> before any method here
@@ -109,13 +109,13 @@ package starlogo.search.penetration
                 lastBlocked.copyFrom(_next);
                 // its exits are known where the push ended, not where the body was
                 lastBlocked.exitBound = 0;
-                lastBlocked.x -= _tried.distance * _tried.directionX;
-                lastBlocked.y -= _tried.distance * _tried.directionY;
-                lastBlocked.z -= _tried.distance * _tried.directionZ;
+                lastBlocked.x -= _tried.depth * _tried.normalX;
+                lastBlocked.y -= _tried.depth * _tried.normalY;
+                lastBlocked.z -= _tried.depth * _tried.normalZ;
             }
             // the body is a little farther than the push
-            _next.depth += (_tried.distance - _push.distance)
-                * (_next.normalX * _tried.directionX + _next.normalY * _tried.directionY + _next.normalZ * _tried.directionZ);
+            _next.depth += (_tried.depth - _push.distance)
+                * (_next.normalX * _tried.normalX + _next.normalY * _tried.normalY + _next.normalZ * _tried.normalZ);
             addContact(_next);
         }
 
@@ -124,28 +124,28 @@ package starlogo.search.penetration
         {
             // beyond its end, a push out of several contacts may lead into one of them again
             var isOfSeveral:Boolean = _push.planeCount > 1;
-            _tried.setDirection(_push.displacement.x / _push.distance, _push.displacement.y / _push.distance, _push.displacement.z / _push.distance);
-            _tried.distance = _push.distance;
-            if (isOfSeveral && _pair.touchesAt(_tried))
+            _tried.setNormal(_push.displacement.x / _push.distance, _push.displacement.y / _push.distance, _push.displacement.z / _push.distance);
+            _tried.depth = _push.distance;
+            if (isOfSeveral && _pair.touchesAfter(_tried))
             {
                 return false;
             }
-            _tried.distance = _push.distance + _pair.probeDistance;
-            if (_pair.touchesAt(_tried))
+            _tried.depth = _push.distance + _pair.probeDistance;
+            if (_pair.touchesAfter(_tried))
             {
                 return false;
             }
-            _tried.distance = _push.distance + _pair.minOpening;
-            return !(isOfSeveral && _pair.touchesAt(_tried));
+            _tried.depth = _push.distance + _pair.minOpening;
+            return !(isOfSeveral && _pair.touchesAfter(_tried));
         }
 
         // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.
         private function writePush(out:ContactPoint):void
         {
-            out.setNormal(_tried.directionX, _tried.directionY, _tried.directionZ);
+            out.setNormal(_tried.normalX, _tried.normalY, _tried.normalZ);
             out.depth = _push.distance;
-            _tried.distance = _push.distance - _pair.probeDistance;
-            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
+            _tried.depth = _push.distance - _pair.probeDistance;
+            if (_tried.depth > 0 && !_pair.touchesAfter(_tried))
             {
                 _directions.shorten(_tried, out);
             }

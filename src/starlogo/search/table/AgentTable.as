@@ -75,9 +75,8 @@ package starlogo.search.table
         private var _bodies:Vector.<Body> = new Vector.<Body>();
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
-        // Of the changed rows, those whose bodies have changed, and their new shapes.
+        // Of the changed rows, those whose bodies have changed.
         private var _reshaped:IntList = new IntList();
-        private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         /**
          * @param choice chooses the shapes
@@ -119,7 +118,6 @@ package starlogo.search.table
                 // now the rows are those of the list
                 tryFindChanged(agents);
             }
-            findShapes();
             writeShapes();
         }
 
@@ -395,33 +393,27 @@ package starlogo.search.table
             extents.assignLevel(row);
         }
 
-        // Finds the new shapes of rows: all before the first row changes, because one may be refused.
-        private function findShapes():void
-        {
-            for (var i:int = 0; i < _reshaped.count; i++)
-            {
-                _newShapes[i] = _choice.shapeOf(listed.agentsByRow[_reshaped.values[i]]);
-            }
-        }
-
         // Gives rows their new shapes, and reads their bodies. No motion begins where a row had the shape of another model, or none. Rows whose models are
         // loading are read again in every search.
         private function writeShapes():void
         {
-            loadingCount = 0;
+            // a shape may be refused, before the first row changes
             for (var i:int = 0; i < _reshaped.count; i++)
+            {
+                _choice.shapeOf(listed.agentsByRow[_reshaped.values[i]]);
+            }
+            loadingCount = 0;
+            for (i = 0; i < _reshaped.count; i++)
             {
                 var row:int = _reshaped.values[i];
                 var before:ModelShape = shapes[row];
-                var next:ModelShape = _newShapes[i];
+                var next:ModelShape = _choice.shapeOf(listed.agentsByRow[row]);
                 if (before == null || next == null || next.modelName != before.modelName)
                 {
                     _startRevisions[row] = NO_START;
                 }
                 loadingCount += int(next == null);
                 writeShape(row, next);
-                // a shape of a model that is replaced later would stay in memory
-                _newShapes[i] = null;
             }
         }
 

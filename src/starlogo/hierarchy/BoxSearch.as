@@ -157,9 +157,9 @@ package starlogo.hierarchy
         }
 
         /**
-         * The next leaf that the box may meet within the limit; -1 if there is none. The root is visited untested. On the way down the child that is met
-         * first is next, and the other one waits. Of two that are met at once the nearer one is next. The times along the axes are compared in pairs,
-         * which decides most children along the first axis or the second. One function does it all, because calls for each child take long in Adobe's VM.
+         * The next leaf that the box may meet within the limit; -1 if there is none. The root is visited untested. On the way down the nearer child is next, and
+         * the other one waits. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One function
+         * does it all, because calls for each child take long in Adobe's VM.
          */
         public function nextMet():int
         {
@@ -177,6 +177,7 @@ package starlogo.hierarchy
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
+            var isStill:Boolean = inverseX == STILL && inverseY == STILL && inverseZ == STILL;
             var earliest:Number = _earliest;
             var latest:Number = limit < LATEST ? limit : LATEST;
             var top:int = _top;
@@ -227,7 +228,7 @@ package starlogo.hierarchy
                         var enter:Number = enterX > earliest ? enterX : earliest;
                         enter = enterY > enter ? enterY : enter;
                         enter = enterZ > enter ? enterZ : enter;
-                        if (enter > enterNext || enter == enterNext && !isRightNearer(tree, node))
+                        if (isStill ? next >= 0 && !isRightNearer(tree, node) : enter >= enterNext)
                         {
                             _nodes[top] = child;
                             _enters[top++] = enter;

@@ -187,13 +187,13 @@ package starlogo.models.collada
             var depth:int = 0;
             for (var outer:int = around; outer >= 0; outer = scene.parents[outer])
             {
-                depth++;
-                if (_elements[outer] == element || depth > MAX_DEPTH)
+                if (_elements[outer] == element)
                 {
-                    throw placer.error(depth > MAX_DEPTH ? "nodes are nested more than " + MAX_DEPTH + " deep"
-                            : "recursive instance_node: it places the node \"" + shortened(element.id) + "\" within itself");
+                    throw placer.error("recursive instance_node: it places the node \"" + shortened(element.id) + "\" within itself");
                 }
+                depth++;
             }
+            placer.refuseIf(depth > MAX_DEPTH, "nodes are nested more than " + MAX_DEPTH + " deep");
             element.budget.spendElements(ELEMENTS_PER_NODE * (1 + element.children.length), element);
             var node:int = scene.addNode(around);
             _elements.push(element);

@@ -81,15 +81,14 @@ package starlogo.models.gltf
                     _file.budget.spendElements(weights.length, primitive.place);
                     return new StepSequence().beginEach(Math.min(primitive.count("targets"), weights.length), function(target:int):Steps
                         {
-                            var displacements:GltfAccessor = weights[target] == 0 ? null : _file.accessorOf(primitive.element("targets", target), "POSITION", "VEC3");
-                            if (displacements == null)
+                            var deltas:GltfAccessor = weights[target] == 0 ? null : _file.accessorOf(primitive.element("targets", target), "POSITION", "VEC3");
+                            if (deltas == null)
                             {
                                 return new StepSequence();
                             }
-                            displacements.requireCount(rest.count);
-                            _file.budget.spendNumbers(displacements.numbers.length, primitive.place);
-                            return new StepSequence().add(displacements).add(
-                                    deformed.morphing(_firsts[rest.json.place + primitive.place], weights[target], displacements.numbers, null));
+                            deltas.requireCount(rest.count);
+                            _file.budget.spendNumbers(deltas.numbers.length, primitive.place);
+                            return new StepSequence().add(deltas).add(deformed.morphing(_firsts[rest.json.place + primitive.place], weights[target], deltas.numbers, null));
                         });
                 }).begin(function():Steps
                 {

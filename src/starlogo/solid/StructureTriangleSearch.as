@@ -59,14 +59,14 @@ package starlogo.solid
          *
          * @param tree the model's, with its triangles' corners listed
          * @param structure in the model's space
-         * @param pose has the margin of the structure's place
-         * @param motion of the structure, from the pose on; receives the time, and its earliest and latest times are overwritten. If it is still, the
+         * @param margin the rounding error of the structure's place
+         * @param motion of the structure, from that place on; receives the time, and its earliest and latest times are overwritten. If it is still, the
          *     structure touches at time 0 or never
          * @return the triangle's index, or -1
          */
-        public function findFirst(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findFirst(tree:BoxTree, structure:BoundingStructure, margin:Number, motion:RelativeMotion):int
         {
-            beginSweep(tree, structure, pose, motion);
+            beginSweep(tree, structure, margin, motion);
             var leaf:int = _search.nextMet();
             while (leaf >= 0)
             {
@@ -78,13 +78,13 @@ package starlogo.solid
             return _first.a;
         }
 
-        private function beginSweep(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        private function beginSweep(tree:BoxTree, structure:BoundingStructure, margin:Number, motion:RelativeMotion):void
         {
             var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
             _first.reset();
             structure.extentsInto(extents);
-            shape.margin += pose.margin + Touching.marginOfSurface(tree.boundingRadius);
+            shape.margin += margin + Touching.marginOfSurface(tree.boundingRadius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {

@@ -100,7 +100,7 @@ package starlogo.solid
         // Finds which triangle, by its index, or else which node is touched first. Returns -1 if none is.
         private function findFirstTouched(motion:RelativeMotion):int
         {
-            return _depth == BoxTree.EXACT ? _triangleSearch.findFirst(_tree.treeFor(_depth), placed(), pose, motion) : findFirstNode(motion);
+            return _depth == BoxTree.EXACT ? _triangleSearch.findFirst(_tree.treeFor(_depth), placed(), pose.margin, motion) : findFirstNode(motion);
         }
 
         // Finds which leaf is touched first. Returns -1 if none is. What stands touches at time 0 or never.

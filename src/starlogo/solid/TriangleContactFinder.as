@@ -40,10 +40,10 @@ package starlogo.solid
         // The motion of a, as seen from b.
         private var _reversed:RelativeMotion = new RelativeMotion();
 
-        // The probe in a's space, the pose of that space in b's, and what finds a model's triangles at the probe. The pose has no margin.
+        // The probe in a's space, the placement of that space in b's, and what finds a model's triangles at the probe.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
         private var _triangleSearch:StructureTriangleSearch = new StructureTriangleSearch(_kernel, new TreeCounts());
-        private var _inverse:RelativePose = new RelativePose();
+        private var _inverse:Placement = new Placement();
 
         // The motion of the probe, which stands; a search overwrites its times.
         private var _still:RelativeMotion = new RelativeMotion();
@@ -70,9 +70,9 @@ package starlogo.solid
             _kernel.shape.setTriangle(_cornersOfB, 0);
             _probe.radius = PROBE * Math.min(radiusOfA, _kernel.shape.boundingRadius);
             _kernel.findContact(_cornersOfA, motion, out);
-            Placement.invert(placement, _inverse.placement);
+            Placement.invert(placement, _inverse);
             plane.setTriangle(_cornersOfA, 0);
-            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(trees, trees.b, _inverse.placement, motion, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(trees, trees.b, _inverse, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -95,7 +95,7 @@ package starlogo.solid
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             _still.latestTime = 1;
-            return _triangleSearch.findFirst(tree, _kernel.setStructure(_probe, placement), _inverse, _still) >= 0;
+            return _triangleSearch.findFirst(tree, _kernel.setStructure(_probe, placement), 0, _still) >= 0;
         }
     }
 }

@@ -233,6 +233,14 @@ package starlogo.solid
             }
         }
 
+        /** Vertices are welded by the size of the triangles. */
+        [Test]
+        public function aFarVertexOfNoTriangleWeldsNoOthers():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            assertTrue(isInside(new Vector.<Number>().concat(cube.vertices, new <Number>[1e9, 0, 0]), cube.triangles, [0.2, 0.3, 0.4]));
+        }
+
         private static function isInside(vertices:Vector.<Number>, triangles:Vector.<uint>, at:Array):Boolean
         {
             return solidOf(vertices, triangles).isInside(new Vector3D(at[0], at[1], at[2]));

@@ -12,20 +12,20 @@ package starlogo.models.animation
         public var sampler:AnimationSampler;
 
         private var _target:String;
-        private var _inFile:Vector.<Number>;
+        private var _rest:Vector.<Number>;
         private var _first:int;
 
         /**
          * @param sampler moves the numbers
          * @param target has the numbers
-         * @param inFile all numbers of the target, as they are in the file; null if all move
+         * @param rest all numbers of the target at rest, as in the file; null if all of them move
          * @param first the index of the first one that moves
          */
-        public function AnimationChannel(sampler:AnimationSampler, target:String, inFile:Vector.<Number> = null, first:int = 0)
+        public function AnimationChannel(sampler:AnimationSampler, target:String, rest:Vector.<Number> = null, first:int = 0)
         {
             this.sampler = sampler;
             _target = target;
-            _inFile = inFile;
+            _rest = rest;
             _first = first;
         }
 
@@ -38,7 +38,7 @@ package starlogo.models.animation
         public function applyTo(pose:Object, time:Number):void
         {
             var values:Vector.<Number> = sampler.numbersAt(time);
-            var numbers:Vector.<Number> = pose[_target] ||= _inFile == null ? values : _inFile.slice();
+            var numbers:Vector.<Number> = pose[_target] ||= _rest == null ? values : _rest.slice();
             for (var i:int = 0; i < values.length; i++)
             {
                 numbers[_first + i] = values[i];

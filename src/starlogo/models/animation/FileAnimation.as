@@ -52,7 +52,7 @@ package starlogo.models.animation
                 channel.applyTo(pose, _start + Math.max(0, Math.min(time, duration)));
             }
             var posed:ModelData = new ModelData(_scene.data.name);
-            _scene.enter(pose);
+            _scene.setPose(pose);
             finish(_scene.adding(posed));
             finish(AffineTransform.toZUp(_scene.data.upAxis).transformingPoints(posed.vertices));
             return posed.vertices;

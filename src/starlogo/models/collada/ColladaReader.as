@@ -71,7 +71,7 @@ package starlogo.models.collada
             scene.add(xml).call(function():void
                 {
                     readAsset(upAxis == null, scaling);
-                    enterScene();
+                    addScene();
                 }).repeat(visitSome);
             add(scene).begin(function():Steps
                 {
@@ -155,13 +155,13 @@ package starlogo.models.collada
             }
         }
 
-        private function enterScene():void
+        private function addScene():void
         {
             var shown:ColladaElement = root.child("scene");
             var instance:ColladaElement = shown == null ? null : shown.child("instance_visual_scene");
             if (instance != null)
             {
-                enter(instance.target("url", ["visual_scene"]), -1, instance);
+                addNode(instance.target("url", ["visual_scene"]), -1, instance);
                 return;
             }
             for each (var geometry:ColladaElement in entriesOf("library_geometries", "geometry"))
@@ -182,18 +182,18 @@ package starlogo.models.collada
         // Adds a node for an element. The element's children are visited next.
         // @param around the node around it; -1 for none
         // @param placer the element that places it there, for errors
-        private function enter(element:ColladaElement, around:int, placer:ColladaElement):void
+        private function addNode(element:ColladaElement, around:int, placer:ColladaElement):void
         {
             var depth:int = 0;
             for (var outer:int = around; outer >= 0; outer = scene.parents[outer])
             {
-                depth++;
-                if (_elements[outer] == element || depth > MAX_DEPTH)
+                if (_elements[outer] == element)
                 {
-                    throw placer.error(depth > MAX_DEPTH ? "nodes are nested more than " + MAX_DEPTH + " deep"
-                            : "recursive instance_node: it places the node \"" + shortened(element.id) + "\" within itself");
+                    throw placer.error("recursive instance_node: it places the node \"" + shortened(element.id) + "\" within itself");
                 }
+                depth++;
             }
+            placer.refuseIf(depth > MAX_DEPTH, "nodes are nested more than " + MAX_DEPTH + " deep");
             element.budget.spendElements(ELEMENTS_PER_NODE * (1 + element.children.length), element);
             var node:int = scene.addNode(around);
             _elements.push(element);
@@ -229,10 +229,10 @@ package starlogo.models.collada
                     addController(element, node);
                     break;
                 case "instance_node":
-                    enter(element.target("url", ["node"]), node, element);
+                    addNode(element.target("url", ["node"]), node, element);
                     break;
                 case "node":
-                    enter(element, node, element);
+                    addNode(element, node, element);
                     break;
                 default:
                     // a transform that is wrong is refused, even if nothing is at its node

@@ -37,7 +37,8 @@ package starlogo.models.gltf
 
         private var _morphed:Vector.<GltfJson> = new Vector.<GltfJson>(); // the primitives with morph targets
 
-        // the first vertex of what primitives share, by the place of its positions; the key of a primitive that shares nothing has its own place, too
+        // For each list of positions, its first vertex in the mesh. The key is the accessor's place in the file. For a primitive that shares its vertices
+        // with no other one, the primitive's place comes after it.
         private var _firsts:Object = {};
 
         /**
@@ -80,14 +81,14 @@ package starlogo.models.gltf
                     _file.budget.spendElements(weights.length, primitive.place);
                     return new StepSequence().beginEach(Math.min(primitive.count("targets"), weights.length), function(target:int):Steps
                         {
-                            var ways:GltfAccessor = weights[target] == 0 ? null : _file.accessorOf(primitive.element("targets", target), "POSITION", "VEC3");
-                            if (ways == null)
+                            var deltas:GltfAccessor = weights[target] == 0 ? null : _file.accessorOf(primitive.element("targets", target), "POSITION", "VEC3");
+                            if (deltas == null)
                             {
                                 return new StepSequence();
                             }
-                            ways.requireCount(rest.count);
-                            _file.budget.spendNumbers(ways.numbers.length, primitive.place);
-                            return new StepSequence().add(ways).add(deformed.morphing(_firsts[rest.json.place + primitive.place], weights[target], ways.numbers, null));
+                            deltas.requireCount(rest.count);
+                            _file.budget.spendNumbers(deltas.numbers.length, primitive.place);
+                            return new StepSequence().add(deltas).add(deformed.morphing(_firsts[rest.json.place + primitive.place], weights[target], deltas.numbers, null));
                         });
                 }).begin(function():Steps
                 {
@@ -204,7 +205,7 @@ package starlogo.models.gltf
             return found;
         }
 
-        // Reads the _influences of a vertex in a set. A weight of 0 is none, whatever its joint is.
+        // Reads the influences of a vertex in a set. A weight of 0 is none, whatever its joint is.
         private function readSet(joints:GltfAccessor, weights:GltfAccessor, vertex:int):void
         {
             for (var at:int = 4 * vertex; at < 4 * vertex + 4; at++)

@@ -48,12 +48,12 @@ package starlogo.models.scene
         }
 
         /**
-         * The steps that move some points a part of the way to a morph target.
+         * The steps that move some points by a morph target.
          *
          * @param first the index of the first point that moves
-         * @param weight the part of the way
-         * @param target the points of the target
-         * @param base where the way begins; null if the target has the ways themselves
+         * @param weight the target's
+         * @param target the points of the target; without a base, the displacements to them
+         * @param base the points before any target has moved them; null for none
          */
         public function morphing(first:int, weight:Number, target:Vector.<Number>, base:Vector.<Number>):Steps
         {

@@ -119,7 +119,7 @@ package starlogo.models.scene
          *
          * @param pose all numbers of each target that moves, by the target
          */
-        public function enter(pose:Object):void
+        public function setPose(pose:Object):void
         {
             _pose = pose;
             for (var i:int = 0; i < _transforms.length; i++)

@@ -145,13 +145,13 @@ package starlogo.solid.interior
             }
             if (isFound[0] && isFound[2])
             {
-                openCopies();
+                markCopiesOpen();
                 slices(_shellFinder.triangleCount, TESTED_TRIANGLES_PER_STEP, testPoints).call(findCavities);
             }
         }
 
-        // Opens the shells that copy an earlier one.
-        private function openCopies():void
+        // A shell that copies an earlier one counts as open.
+        private function markCopiesOpen():void
         {
             var shellWith:Object = {};
             for (var shell:int = 0; shell < _shells.length; shell++)

@@ -136,15 +136,16 @@ package starlogo.solid.interior
                     if (later >= 0 && lowOf(later) == low)
                     {
                         _beforeBetweenSame[later] = edge;
-                        addBetweenSame(edge, later, low);
+                        matchUnlessNonManifold(edge, later, low);
                     }
                     _visitedOfHigh[high] = edge + 1;
                 }
             }
         }
 
-        // Matches an edge with the one after it between the same two vertices. If that one is matched already, both have to wait, as all before them.
-        private function addBetweenSame(edge:int, later:int, low:int):void
+        // Matches an edge with the later one between the same two vertices. If there are more than two, none of them is matched: all wait for
+        // matchNonManifold().
+        private function matchUnlessNonManifold(edge:int, later:int, low:int):void
         {
             var last:int = partners[later];
             if (last == ALONE)

@@ -49,7 +49,7 @@ package starlogo.solid.interior
             {
                 if (_nextQueued < triangleCount)
                 {
-                    goOnFrom(triangles[_nextQueued++]);
+                    visitNeighbours(triangles[_nextQueued++]);
                 }
                 else if (_nextSeed == orientedShells.length)
                 {
@@ -76,7 +76,7 @@ package starlogo.solid.interior
             triangles[triangleCount++] = triangle;
         }
 
-        private function goOnFrom(triangle:int):void
+        private function visitNeighbours(triangle:int):void
         {
             var partners:Vector.<int> = _edges.partners;
             var orientedShells:Vector.<int> = _surface.orientedShells;

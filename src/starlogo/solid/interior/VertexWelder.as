@@ -35,12 +35,10 @@ package starlogo.solid.interior
 
         // For each bucket of the hash table, one more than the number of the last place in it, or 0. For each place, one more than the number of the
         // place before it in the same bucket, or 0.
-        private var _last:Vector.<int>;
-        private var _before:Vector.<int>;
+        private var _lastInBucket:Vector.<int>;
+        private var _beforeInBucket:Vector.<int>;
 
-        /**
-         * @param tree of the triangles
-         */
+        /** @param tree of the triangles */
         public function VertexWelder(tree:BoxTree)
         {
             var count:int = tree.vertices.length / 3;
@@ -53,8 +51,8 @@ package starlogo.solid.interior
             _boxes = tree.boxes;
             _tolerance = 2 * Tolerances.WELDING * Math.max(_boxes[3], _boxes[4], _boxes[5]) + Tolerances.ROUNDING * tree.radiusAboutOrigin;
             welded = zeroedInts(count);
-            _last = zeroedInts(size);
-            _before = zeroedInts(count);
+            _lastInBucket = zeroedInts(size);
+            _beforeInBucket = zeroedInts(count);
             slices(count, VERTICES_PER_STEP, weld);
         }
 
@@ -62,11 +60,12 @@ package starlogo.solid.interior
         {
             for (var i:int = first; i < end; i++)
             {
-                welded[i] = weldedOf(i);
+                welded[i] = findOrAdd(i);
             }
         }
 
-        private function weldedOf(vertex:int):int
+        // The first vertex at the place of a vertex. If that is the vertex itself, its place is added to the table.
+        private function findOrAdd(vertex:int):int
         {
             var cellsPerUnit:Number = 1 / (CELL_WIDTH * _tolerance);
             var x:Number = (_vertices[3 * vertex] - _boxes[0] + _boxes[3]) * cellsPerUnit;
@@ -91,8 +90,8 @@ package starlogo.solid.interior
                 widestSeam = Math.max(widestSeam, distanceOf(vertex, nearest));
                 return nearest;
             }
-            _before[vertex] = _last[own];
-            _last[own] = vertex + 1;
+            _beforeInBucket[vertex] = _lastInBucket[own];
+            _lastInBucket[own] = vertex + 1;
             return vertex;
         }
 
@@ -106,7 +105,7 @@ package starlogo.solid.interior
         private function nearestOf(bucket:int, vertex:int, nearest:int):int
         {
             var least:Number = nearest < 0 ? _tolerance : distanceOf(vertex, nearest);
-            for (var vertexThere:int = _last[bucket] - 1; vertexThere >= 0; vertexThere = _before[vertexThere] - 1)
+            for (var vertexThere:int = _lastInBucket[bucket] - 1; vertexThere >= 0; vertexThere = _beforeInBucket[vertexThere] - 1)
             {
                 var distance:Number = distanceOf(vertex, vertexThere);
                 if (distance < least || distance == least && nearest < 0)
@@ -132,7 +131,7 @@ package starlogo.solid.interior
             var hash:int = x * 69069;
             hash = (hash ^ hash >>> 15 ^ y) * 69069;
             hash = (hash ^ hash >>> 15 ^ z) * 69069;
-            return (hash ^ hash >>> 15) & _last.length - 1;
+            return (hash ^ hash >>> 15) & _lastInBucket.length - 1;
         }
     }
 }

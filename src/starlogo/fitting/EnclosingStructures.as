@@ -31,8 +31,7 @@ package starlogo.fitting
         {
             var result:int = 0;
             var most:Number = -1;
-            var length:int = vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            for (var i:int = 0; i < vertices.length; i += 3)
             {
                 var x:Number = vertices[i] - point.x;
                 var y:Number = vertices[i + 1] - point.y;
@@ -78,8 +77,7 @@ package starlogo.fitting
         {
             var low:Number = Infinity;
             var high:Number = -Infinity;
-            var length:int = vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            for (var i:int = 0; i < vertices.length; i += 3)
             {
                 var along:Number = vertices[i] * x + vertices[i + 1] * y + vertices[i + 2] * z;
                 low = along < low ? along : low;
@@ -103,8 +101,7 @@ package starlogo.fitting
                 radius:Number):Capsule
         {
             var square:Number = radius * radius;
-            var length:int = vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            for (var i:int = 0; i < vertices.length; i += 3)
             {
                 var x:Number = vertices[i] - point.x;
                 var y:Number = vertices[i + 1] - point.y;
@@ -140,8 +137,7 @@ package starlogo.fitting
         public static function distanceFromLine(vertices:Vector.<Number>, point:Vector3D, axis:Vector3D):Number
         {
             var most:Number = 0;
-            var length:int = vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            for (var i:int = 0; i < vertices.length; i += 3)
             {
                 var x:Number = vertices[i] - point.x;
                 var y:Number = vertices[i + 1] - point.y;

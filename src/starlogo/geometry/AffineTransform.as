@@ -130,14 +130,11 @@ package starlogo.geometry
             var m:Vector.<Number> = rows;
             var at:int = 3 * to;
             var differences:Number = 0;
-            var last:int = 3 * end;
-            for (var i:int = 3 * first; i < last; i += 3)
+            for (var i:int = 3 * first; i < 3 * end; i += 3)
             {
-                var j:int = i + 1;
-                var k:int = i + 2;
                 var x:Number = points[i];
-                var y:Number = points[j];
-                var z:Number = points[k];
+                var y:Number = points[int(i + 1)];
+                var z:Number = points[int(i + 2)];
                 var newX:Number = m[0] * x + m[1] * y + m[2] * z + m[3];
                 var newY:Number = m[4] * x + m[5] * y + m[6] * z + m[7];
                 var newZ:Number = m[8] * x + m[9] * y + m[10] * z + m[11];

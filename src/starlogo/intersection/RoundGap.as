@@ -4,15 +4,15 @@ package starlogo.intersection
     import starlogo.convex.CoreGap;
 
     /**
-     * The gap between the cores of two structures of a RoundKernel, as a record. The first core is a segment: a capsule's axis, or a sphere's centre. The
-     * second is a capsule's axis or a box.
+     * The gap between the cores of two structures of a RoundKernel, as a record. The first core is a sphere's centre or a capsule's axis. The second is
+     * one too, or a box.
      */
     internal final class RoundGap
     {
         /** The gap that the tests write whose structures stand: <code>capsuleCapsule()</code> and <code>capsuleBox()</code>. */
         public static const SCRATCH:RoundGap = new RoundGap();
 
-        /** Where on the first core the closest point is: from 0 at its start to 1 at its end. */
+        /** If the first core is an axis, where on it the closest point is: from 0 at its start to 1 at its end. */
         public var fraction:Number = 0;
 
         /** The vector, both radii and the closest point, in the structures' space. */
@@ -24,7 +24,7 @@ package starlogo.intersection
         /** The squared length of the vector. At a box it is more precise than the vector in the structures' space. */
         public var squaredLength:Number = 0;
 
-        /** How fast the motion closes the gap, times the gap's length. */
+        /** How fast the motion closes the gap, times the gap's length. Unknown for two centres. */
         public var closingSpeedTimesLength:Number = 0;
 
         /** The size of both structures together, which rounding errors are relative to. */

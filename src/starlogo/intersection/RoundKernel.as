@@ -46,9 +46,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            var step:ConservativeAdvancement = _step;
             var gap:RoundGap = _gap;
-            var margins:Number = motion.margin;
             motion.time = 0;
             if (b.kind == BoundingStructure.SPHERE)
             {
@@ -56,23 +54,24 @@ package starlogo.intersection
                 findTimeOfImpactOfSpheres(gap.cores, motion);
                 return;
             }
-            step.reset();
+            var margins:Number = motion.margin;
+            _step.reset();
             do
             {
                 findGap(a, b, motion, gap);
                 var radii:Number = gap.cores.radiusA + gap.cores.radiusB;
                 var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
                 var length:Number = Math.sqrt(gap.squaredLength);
-                step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
-                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.size)
+                _step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
+                if (!_step.isTouching && radii < Tolerances.DIRECTION * gap.size)
                 {
                     _convex.findTimeOfImpact(a, b, motion);
                     return;
                 }
-                step.separation = length - radii;
-                step.speed = gap.closingSpeedTimesLength / length;
+                _step.separation = length - radii;
+                _step.speed = gap.closingSpeedTimesLength / length;
             }
-            while (step.advance(motion));
+            while (_step.advance(motion));
         }
 
         /** @inheritDoc */
@@ -117,100 +116,110 @@ package starlogo.intersection
         // Finds the gap at the motion's time, except for its point: setPoint() sets that. a is a sphere or a capsule.
         private function findGap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
         {
-            var isSphere:Boolean = a.kind == BoundingStructure.SPHERE;
-            out.cores.radiusA = out.size = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
-            if (b.kind != BoundingStructure.BOX)
+            if (b.kind == BoundingStructure.SPHERE)
             {
-                measureToAxis(a, b, motion, out);
-                return;
+                findGapOfCenters(a as Sphere, b as Sphere, motion, out);
             }
-            if (isSphere)
+            else if (b.kind == BoundingStructure.CAPSULE)
             {
-                placeCenter((a as Sphere).center, b as Box, motion, out);
+                findGapOfAxes(a, b as Capsule, motion, out);
             }
             else
             {
-                _axisAtBox.setTo(a as Capsule, b as Box);
-                _axisAtBox.move(b as Box, motion);
-                _axisAtBox.findClosest(out);
-                out.size += Math.abs(_axisAtBox.along[0]) + Math.abs(_axisAtBox.along[1]) + Math.abs(_axisAtBox.along[2]);
+                findGapToBox(a, b as Box, motion, out);
             }
-            measureToBox(b as Box, motion, out);
-        }
-
-        // The axis of a sphere or a capsule goes from its start to its end. That of a sphere is its centre, a segment without length.
-        private static function startOf(round:BoundingStructure):Vector3D
-        {
-            return round.kind == BoundingStructure.SPHERE ? (round as Sphere).center : (round as Capsule).start;
-        }
-
-        private static function endOf(round:BoundingStructure):Vector3D
-        {
-            return round.kind == BoundingStructure.SPHERE ? (round as Sphere).center : (round as Capsule).end;
         }
 
         // Sets the gap's point: the closest point of a's core.
         private static function setPoint(a:BoundingStructure, gap:RoundGap):void
         {
             var point:Vector3D = gap.cores.point;
-            var start:Vector3D = startOf(a);
-            var end:Vector3D = endOf(a);
+            if (a.kind == BoundingStructure.SPHERE)
+            {
+                point.copyFrom((a as Sphere).center);
+                return;
+            }
+            var start:Vector3D = (a as Capsule).start;
+            var end:Vector3D = (a as Capsule).end;
             point.x = start.x + gap.fraction * (end.x - start.x);
             point.y = start.y + gap.fraction * (end.y - start.y);
             point.z = start.z + gap.fraction * (end.z - start.z);
         }
 
-        // Measures the gap between two axes.
-        private function measureToAxis(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
+        private static function findGapOfCenters(a:Sphere, b:Sphere, motion:RelativeMotion, out:RoundGap):void
+        {
+            var gap:CoreGap = out.cores;
+            gap.x = a.center.x - b.center.x + motion.startX + motion.time * motion.x;
+            gap.y = a.center.y - b.center.y + motion.startY + motion.time * motion.y;
+            gap.z = a.center.z - b.center.z + motion.startZ + motion.time * motion.z;
+            gap.radiusA = a.radius;
+            gap.radiusB = b.radius;
+            out.size = a.radius + b.radius;
+            out.squaredLength = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+        }
+
+        // The axis of a sphere is its centre, a segment without length.
+        private function findGapOfAxes(a:BoundingStructure, b:Capsule, motion:RelativeMotion, out:RoundGap):void
         {
             var gap:CoreGap = out.cores;
             var axes:SegmentPair = _axes;
-            axes.setTo(startOf(a), endOf(a), motion, startOf(b), endOf(b));
+            var isSphere:Boolean = a.kind == BoundingStructure.SPHERE;
+            var start:Vector3D = isSphere ? (a as Sphere).center : (a as Capsule).start;
+            axes.setTo(start, isSphere ? start : (a as Capsule).end, motion, b.start, b.end);
             axes.findGap(out);
-            gap.radiusB = b.kind == BoundingStructure.SPHERE ? (b as Sphere).radius : (b as Capsule).radius;
-            out.size += Math.abs(axes.u.x) + Math.abs(axes.u.y) + Math.abs(axes.u.z) + Math.abs(axes.v.x) + Math.abs(axes.v.y) + Math.abs(axes.v.z) + gap.radiusB;
+            gap.radiusA = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
+            gap.radiusB = b.radius;
+            out.size = gap.radiusA + Math.abs(axes.u.x) + Math.abs(axes.u.y) + Math.abs(axes.u.z) + Math.abs(axes.v.x) + Math.abs(axes.v.y) + Math.abs(axes.v.z) + gap.radiusB;
             out.closingSpeedTimesLength = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
         }
 
-        // Finds the place of a sphere's centre as seen from a box.
-        private static function placeCenter(center:Vector3D, box:Box, motion:RelativeMotion, out:RoundGap):void
+        private function findGapToBox(a:BoundingStructure, b:Box, motion:RelativeMotion, out:RoundGap):void
         {
-            var place:Vector3D = out.place;
+            var gap:CoreGap = out.cores;
+            if (a.kind == BoundingStructure.SPHERE)
+            {
+                gap.radiusA = out.size = (a as Sphere).radius;
+                placeCenter((a as Sphere).center, b, motion, out.place);
+            }
+            else
+            {
+                var axis:BoxSegment = _axisAtBox;
+                axis.setTo(a as Capsule, b);
+                axis.move(b, motion);
+                axis.findClosest(out);
+                gap.radiusA = (a as Capsule).radius;
+                out.size = gap.radiusA + Math.abs(axis.along[0]) + Math.abs(axis.along[1]) + Math.abs(axis.along[2]);
+            }
+            var x:Number = out.place.x;
+            var y:Number = out.place.y;
+            var z:Number = out.place.z;
+            x = x > b.halfX ? x - b.halfX : (x < -b.halfX ? x + b.halfX : 0);
+            y = y > b.halfY ? y - b.halfY : (y < -b.halfY ? y + b.halfY : 0);
+            z = z > b.halfZ ? z - b.halfZ : (z < -b.halfZ ? z + b.halfZ : 0);
+            gap.x = x * b.axisX.x + y * b.axisY.x + z * b.axisZ.x;
+            gap.y = x * b.axisX.y + y * b.axisY.y + z * b.axisZ.y;
+            gap.z = x * b.axisX.z + y * b.axisY.z + z * b.axisZ.z;
+            gap.radiusB = 0;
+            out.size += b.halfX + b.halfY + b.halfZ;
+            out.squaredLength = x * x + y * y + z * z;
+            out.closingSpeedTimesLength = -(x * (b.axisX.x * motion.x + b.axisX.y * motion.y + b.axisX.z * motion.z)
+                    + y * (b.axisY.x * motion.x + b.axisY.y * motion.y + b.axisY.z * motion.z)
+                    + z * (b.axisZ.x * motion.x + b.axisZ.y * motion.y + b.axisZ.z * motion.z));
+        }
+
+        // Writes the place of a sphere's centre, as seen from a box.
+        private static function placeCenter(center:Vector3D, box:Box, motion:RelativeMotion, out:Vector3D):void
+        {
             var x:Number = center.x - box.center.x + motion.startX;
             var y:Number = center.y - box.center.y + motion.startY;
             var z:Number = center.z - box.center.z + motion.startZ;
             var time:Number = motion.time;
             var axis:Vector3D = box.axisX;
-            place.x = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            out.x = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisY;
-            place.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            out.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
-            place.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            out.fraction = 0;
-        }
-
-        // Measures the gap between the closest point, whose place is known, and a box.
-        private static function measureToBox(box:Box, motion:RelativeMotion, out:RoundGap):void
-        {
-            var gap:CoreGap = out.cores;
-            var axisX:Vector3D = box.axisX;
-            var axisY:Vector3D = box.axisY;
-            var axisZ:Vector3D = box.axisZ;
-            var x:Number = out.place.x;
-            var y:Number = out.place.y;
-            var z:Number = out.place.z;
-            x = x > box.halfX ? x - box.halfX : (x < -box.halfX ? x + box.halfX : 0);
-            y = y > box.halfY ? y - box.halfY : (y < -box.halfY ? y + box.halfY : 0);
-            z = z > box.halfZ ? z - box.halfZ : (z < -box.halfZ ? z + box.halfZ : 0);
-            gap.x = x * axisX.x + y * axisY.x + z * axisZ.x;
-            gap.y = x * axisX.y + y * axisY.y + z * axisZ.y;
-            gap.z = x * axisX.z + y * axisY.z + z * axisZ.z;
-            gap.radiusB = 0;
-            out.size += box.halfX + box.halfY + box.halfZ;
-            out.squaredLength = x * x + y * y + z * z;
-            out.closingSpeedTimesLength = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
-                    + y * (axisY.x * motion.x + axisY.y * motion.y + axisY.z * motion.z)
-                    + z * (axisZ.x * motion.x + axisZ.y * motion.y + axisZ.z * motion.z));
+            out.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
         }
     }
 }

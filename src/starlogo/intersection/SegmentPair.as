@@ -5,7 +5,7 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
-    /** The axes of two capsules; that of a sphere is its centre. It finds the gap between the two. Its fields are read only. */
+    /** The axes of a capsule and another one, or of a sphere and a capsule: that of a sphere is its centre. It finds the gap between the two. Its fields are read only. */
     internal final class SegmentPair
     {
         /** The pair that <code>capsuleCapsule()</code> sets, whose capsules stand. */
@@ -49,7 +49,7 @@ package starlogo.intersection
             var alongV:Number = v.x * offset.x + v.y * offset.y + v.z * offset.z;
             var numerator:Number = uv * alongV - vv * alongU;
             var denominator:Number = uu * vv - uv * uv;
-            if (denominator <= Tolerances.NEARLY_PARALLEL * uu * vv)
+            if (denominator < Tolerances.NEARLY_PARALLEL * uu * vv)
             {
                 // The same values from cross products, which do not cancel.
                 var crossX:Number = u.y * v.z - u.z * v.y;

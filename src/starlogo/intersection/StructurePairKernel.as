@@ -6,9 +6,9 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Decides about two structures of certain kinds: finds when they first touch, how they overlap and how far apart they are. StructurePairs has a kernel
-     * for each pair of kinds: an object of a class that extends this one. It explains the questions, and puts the two in order: a comes before b. This
-     * class itself is the kernel of pairs with a structure of the kind OTHER, which have no answers: its methods throw.
+     * Decides about two structures of certain kinds: finds when they first touch, how they overlap and how far apart they are. Each kernel is an object of
+     * a class that extends this one. StructurePairs chooses it, explains the questions, and puts the two in order: a comes before b. This class itself is
+     * the kernel of pairs with a structure of the kind OTHER, which have no answers: its methods throw.
      *
      * @private
      */

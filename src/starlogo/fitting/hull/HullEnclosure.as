@@ -95,8 +95,7 @@ package starlogo.fitting.hull
             }
             if (factor > 1)
             {
-                var excess:Number = FIRST_EXCESS * (1 << scalings);
-                hull.scaleCorners(factor * (1 + excess));
+                hull.scaleCorners(factor * (1 + FIRST_EXCESS * (1 << scalings)));
                 addRound(vertices, scalings + 1);
             }
             else if (vertices != _session.vertices)

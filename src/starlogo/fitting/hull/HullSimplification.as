@@ -98,34 +98,35 @@ package starlogo.fitting.hull
                 });
         }
 
+        // Both take some edges from the queue, and return whether there is more to do.
         private function reduceToFew():Boolean
         {
-            return reduce(FEW * _maxCorners, false);
+            for (var i:int = 0; i < EDGES_PER_STEP && canReduceTo(FEW * _maxCorners); i++)
+            {
+                var face:int = collapseFirst();
+                if (face >= 0)
+                {
+                    queueEdge(_solid.shortestNewEdge(face));
+                }
+            }
+            return canReduceTo(FEW * _maxCorners);
         }
 
         private function reduceToMaximum():Boolean
         {
-            return reduce(_maxCorners, true);
-        }
-
-        // Takes some edges from the queue until so many corners are left. Of the edges at a new corner, queues all or the shortest. Returns whether there
-        // is more to do.
-        private function reduce(corners:int, queuesAll:Boolean):Boolean
-        {
-            for (var i:int = 0; i < EDGES_PER_STEP && hasMoreThan(corners) && !_queue.isEmpty; i++)
+            for (var i:int = 0; i < EDGES_PER_STEP && canReduceTo(_maxCorners); i++)
             {
-                var face:int = collapseFirst();
-                if (face < 0)
+                for (var face:int = collapseFirst(); face >= 0 && face < _solid.faceCount; face++)
                 {
-                    continue;
-                }
-                // each new face has one edge to the new corner; its first edge is where an earlier edge was
-                var edge:int = queuesAll ? 3 * face + 1 : _solid.shortestNewEdge(face);
-                for (var end:int = queuesAll ? 3 * _solid.faceCount : edge + 1; edge < end; edge += 3)
-                {
-                    queueEdge(edge);
+                    // the edge to the new corner; the first edge of a new face is where an earlier edge was
+                    queueEdge(3 * face + 1);
                 }
             }
+            return canReduceTo(_maxCorners);
+        }
+
+        private function canReduceTo(corners:int):Boolean
+        {
             return hasMoreThan(corners) && !_queue.isEmpty;
         }
 

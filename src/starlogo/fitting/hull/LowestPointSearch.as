@@ -79,12 +79,9 @@ package starlogo.fitting.hull
             writeCross(basis, 8, 0, crossProducts, 3);
             writeCross(basis, 0, 4, crossProducts, 6);
             var determinant:Number = basis[0] * crossProducts[0] + basis[1] * crossProducts[1] + basis[2] * crossProducts[2];
-            var a:Number = basis[3];
-            var b:Number = basis[7];
-            var c:Number = basis[11];
-            out.x = (a * crossProducts[0] + b * crossProducts[3] + c * crossProducts[6]) / determinant;
-            out.y = (a * crossProducts[1] + b * crossProducts[4] + c * crossProducts[7]) / determinant;
-            out.z = (a * crossProducts[2] + b * crossProducts[5] + c * crossProducts[8]) / determinant;
+            out.x = (basis[3] * crossProducts[0] + basis[7] * crossProducts[3] + basis[11] * crossProducts[6]) / determinant;
+            out.y = (basis[3] * crossProducts[1] + basis[7] * crossProducts[4] + basis[11] * crossProducts[7]) / determinant;
+            out.z = (basis[3] * crossProducts[2] + basis[7] * crossProducts[5] + basis[11] * crossProducts[8]) / determinant;
             return determinant;
         }
 

@@ -170,9 +170,7 @@ package starlogo.fitting.minimal
             var change:Vector.<Number> = new Vector.<Number>(7);
             var gradient:Vector.<Number> = gradientOfVolume();
             var scale:Number = stepSize * capsule.radius / gradient[6];
-            var i:int;
-            var k:int;
-            for (k = 0; k < 7; k++)
+            for (var k:int = 0; k < 7; k++)
             {
                 change[k] = -scale * gradient[k];
             }
@@ -181,7 +179,7 @@ package starlogo.fitting.minimal
             for (var round:int = 0; round < MAX_ROUNDS; round++)
             {
                 var most:Number = 0;
-                for (i = 0; i < count; i++)
+                for (var i:int = 0; i < count; i++)
                 {
                     var at:int = 8 * i;
                     var excess:Number = -tangents[at + 7];

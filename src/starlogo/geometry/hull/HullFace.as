@@ -23,13 +23,9 @@ package starlogo.geometry.hull
         public var b:int;
         public var c:int;
 
-        /** The face across the edge from a to b. */
+        /** The neighbours: the faces across the edges from a to b, from b to c and from c to a. */
         public var acrossAB:HullFace;
-
-        /** The face across the edge from b to c. */
         public var acrossBC:HullFace;
-
-        /** The face across the edge from c to a. */
         public var acrossCA:HullFace;
 
         /** The outward unit normal, rounded. */

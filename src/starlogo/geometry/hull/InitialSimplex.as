@@ -61,13 +61,12 @@ package starlogo.geometry.hull
          */
         public function get isSlanted():Boolean
         {
-            var boxVolume:Number = bounds.extentX * bounds.extentY * bounds.extentZ;
             var spanned:Number = 1;
             for (var i:int = 0; i < 3; i++)
             {
                 spanned *= Math.abs(along(i, corners[i + 1]) - along(i, corners[0]));
             }
-            return spanned < Tolerances.HULL_THIN * boxVolume;
+            return spanned < Tolerances.HULL_THIN * (bounds.extentX * bounds.extentY * bounds.extentZ);
         }
 
         private function measure():void

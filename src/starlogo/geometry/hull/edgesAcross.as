@@ -18,8 +18,7 @@ package starlogo.geometry.hull
         var first:Vector.<int> = new Vector.<int>(cornerCount, true);
         var next:Vector.<int> = new Vector.<int>(count, true);
         var degrees:Vector.<int> = new Vector.<int>(cornerCount, true);
-        var i:int;
-        for (i = 0; i < count; i++)
+        for (var i:int = 0; i < count; i++)
         {
             var corner:int = triangles[i];
             next[i] = first[corner];

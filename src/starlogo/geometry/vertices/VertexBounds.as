@@ -10,22 +10,14 @@ package starlogo.geometry.vertices
         /** The largest coordinate that hulls and hierarchies accept. The structures around such vertices are within their limits. */
         public static const LARGEST_VERTEX:Number = 1e60;
 
-        /** The least x. */
+        /** The least coordinates. */
         public var minX:Number = Infinity;
-
-        /** The least y. */
         public var minY:Number = Infinity;
-
-        /** The least z. */
         public var minZ:Number = Infinity;
 
-        /** The greatest x. */
+        /** The greatest coordinates. */
         public var maxX:Number = -Infinity;
-
-        /** The greatest y. */
         public var maxY:Number = -Infinity;
-
-        /** The greatest z. */
         public var maxZ:Number = -Infinity;
 
         /** Whether all coordinates were finite. Otherwise the box is wrong. */

@@ -91,41 +91,40 @@ package starlogo.intersection.boxes
             return true;
         }
 
-        // Clips the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
-        // each. So even a short cross product of nearly parallel edges is an axis like any other. The test uses no identity between axes, because
-        // rounding would break it.
+        // Clips the interval by the cross products of an edge of b and an edge of a. Edge p of b is a column of the rotation, and edge i of a is a coordinate
+        // axis. The boxes are projected in full on the cross product. So even a short one of nearly parallel edges is an axis like any other. The test uses
+        // no identity between axes, because rounding would break it. Returns whether anything is left.
         private function clipByEdges(pair:BoxPair):Boolean
-        {
-            return clipAcross(pair, 0, 1, 2) && clipAcross(pair, 1, 2, 0) && clipAcross(pair, 2, 0, 1);
-        }
-
-        // Clips the interval by the cross products of edge p of b and the three edges of a, which are the coordinate axes. q and r are b's other edges.
-        // All three are columns of the rotation. Returns whether anything is left.
-        private function clipAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
         {
             var rotation:Vector.<Number> = pair.rotation;
             var offset:Vector.<Number> = pair.offset;
             var motion:Vector.<Number> = pair.motion;
             var halvesA:Vector.<Number> = pair.halvesA;
-            var halfQ:Number = pair.halvesB[q];
-            var halfR:Number = pair.halvesB[r];
-            for (var i:int = 0; i < 3; i++)
+            for (var p:int = 0; p < 3; p++)
             {
-                // the other two edges of a, and their rows
-                var j:int = i == 2 ? 0 : i + 1;
-                var k:int = 3 - i - j;
-                var rowJ:int = 3 * j;
-                var rowK:int = 3 * k;
-                var edgeJ:Number = rotation[int(rowJ + p)];
-                var edgeK:Number = rotation[int(rowK + p)];
-                var sizeJ:Number = Math.abs(edgeJ);
-                var sizeK:Number = Math.abs(edgeK);
-                var halfExtents:Number = halvesA[j] * sizeK + halvesA[k] * sizeJ
-                    + Math.abs(halfQ * rotation[int(rowK + q)] * edgeJ - halfQ * rotation[int(rowJ + q)] * edgeK)
-                    + Math.abs(halfR * rotation[int(rowK + r)] * edgeJ - halfR * rotation[int(rowJ + r)] * edgeK);
-                if (sizeJ + sizeK > SHORTEST && !_times.clip(offset[k] * edgeJ - offset[j] * edgeK, motion[k] * edgeJ - motion[j] * edgeK, halfExtents, pair.margin * (sizeJ + sizeK)))
+                // the other two edges of b
+                var q:int = p == 2 ? 0 : p + 1;
+                var r:int = 3 - p - q;
+                var halfQ:Number = pair.halvesB[q];
+                var halfR:Number = pair.halvesB[r];
+                for (var i:int = 0; i < 3; i++)
                 {
-                    return false;
+                    // the other two edges of a, and their rows
+                    var j:int = i == 2 ? 0 : i + 1;
+                    var k:int = 3 - i - j;
+                    var rowJ:int = 3 * j;
+                    var rowK:int = 3 * k;
+                    var edgeJ:Number = rotation[int(rowJ + p)];
+                    var edgeK:Number = rotation[int(rowK + p)];
+                    var sizeJ:Number = Math.abs(edgeJ);
+                    var sizeK:Number = Math.abs(edgeK);
+                    var halfExtents:Number = halvesA[j] * sizeK + halvesA[k] * sizeJ
+                        + Math.abs(halfQ * rotation[int(rowK + q)] * edgeJ - halfQ * rotation[int(rowJ + q)] * edgeK)
+                        + Math.abs(halfR * rotation[int(rowK + r)] * edgeJ - halfR * rotation[int(rowJ + r)] * edgeK);
+                    if (sizeJ + sizeK > SHORTEST && !_times.clip(offset[k] * edgeJ - offset[j] * edgeK, motion[k] * edgeJ - motion[j] * edgeK, halfExtents, pair.margin * (sizeJ + sizeK)))
+                    {
+                        return false;
+                    }
                 }
             }
             return true;

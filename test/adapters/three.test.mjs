@@ -554,7 +554,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		source.geometry.scale(1, 2, 1);
 		binding.updateModel();
 		assert.equal(Math.max(...model.vertices.filter((_, i) => i % 3 === 2)), 1.5);
-		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source).updateModel(), /has no model/);
+		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source).updateModel(), /the binding of agent \d+ .*has no model: it is the third argument/);
 		const before = [...model.vertices];
 		for (const other of [new THREE.Group(), new THREE.Mesh(new THREE.SphereGeometry()), new THREE.Mesh(new THREE.PlaneGeometry()), new THREE.Mesh(new THREE.BufferGeometry())]) {
 			assert.throws(() => new ThreeAgentBinding(new Agent("box"), other, model).updateModel(), /^ArgumentError: .* other meshes/);
@@ -872,7 +872,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		for (const wrong of [null, {}, "bear"]) assert.throws(() => new ThreeAgentBinding(wrong, object), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not /);
 		assert.throws(() => new ThreeAgentBinding(object, agent), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not an object of class Object3D$/);
 		for (const wrong of [null, {}, new THREE.BoxGeometry()]) assert.throws(() => new ThreeAgentBinding(agent, wrong), /^ArgumentError: ThreeAgentBinding: object must be an Object3D, not /);
-		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: ThreeAgentBinding: model must be a Model or null, not an object of class Object3D/);
+		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: ThreeAgentBinding: model must be a Model or null, not an object of class Object3D: it comes third, before the options$/);
 		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: ThreeAgentBinding: options\.up must be "y" or "z", not "x"/);
 		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: modelFromObject: options\.up must be "y" or "z", not "Y"/);
 		for (const wrong of [null, undefined, {}, "bear.glb"]) assert.throws(() => modelFromObject("any", wrong), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not /);

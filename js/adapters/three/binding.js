@@ -61,7 +61,7 @@ export class ThreeAgentBinding {
 	}
 
 	#setModel(model, isYUp) {
-		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}`);
+		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}: it comes third, before the options`);
 		if (conversionOf(model)?.isPlaced) {
 			throw new ArgumentError(`model "${model.name}" is of levelFromObject and has its object's place in it: its agent stays at the origin, without a binding. `
 				+ "What moves has a model of modelFromObject(name, object, { scaling: Model.AS_GIVEN })");
@@ -121,7 +121,7 @@ export class ThreeAgentBinding {
 
 	/** Gives the model the pose of the object. */
 	updateModel() {
-		if (this.#model === null) throw new ArgumentError("the binding has no model: pass it to the constructor");
+		if (this.#model === null) throw new ArgumentError(`the binding of ${this.agent} has no model: it is the third argument of new ThreeAgentBinding(agent, object, model)`);
 		if (this.#objectTransform instanceof InstanceTransform) throw new ArgumentError("an instance has no pose of its own");
 		poseModel(this.#model, this.object);
 		warnings?.keepPose(this.#model, this.agent);

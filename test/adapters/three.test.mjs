@@ -359,6 +359,16 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 				coin.agent.moveTo(i, 0, 0);
 				coin.binding.updateAgent();
 			}
+			// an object that should lead, and one that is moved to be drawn
+			for (const isDrawn of [true, false]) {
+				const gem = bound();
+				for (let i = 1; i < 30; i++) {
+					gem.binding.updateObject();
+					if (!isDrawn) gem.object.updateMatrix();
+					gem.object.position.x += 0.1;
+					if (isDrawn) gem.object.updateMatrix();
+				}
+			}
 			for (let i = 0; i < 2; i++) bound(5).binding.updateObject();
 			const mesh = new THREE.InstancedMesh(new THREE.BoxGeometry(), undefined, 3);
 			const model = modelFromObject("one of three", mesh.geometry);
@@ -367,6 +377,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			for (let i = 0; i < 2; i++) new ThreeAgentBinding(new Agent("one of three"), mesh, model);
 		});
 		const expected = [/restore\(\) has put agent \d+ .* back, and updateAgent\(\) undoes it.*binding\.updateObject\(\) after restore\(\)/, /was moved before each of 10 updateAgent\(\) in turn/,
+			/the object of agent \d+ .* was moved before each of 10 updateObject\(\) in turn/,
 			/updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /moves all 3 instances of the mesh of agent .*bindInstance/];
 		assert.equal(said.length, expected.length, said.join("\n"));
 		expected.forEach((pattern, i) => assert.match(said[i], pattern));

@@ -89,12 +89,14 @@ export class ThreeAgentBinding {
 		const hasMoved = this.#hasMoved();
 		const placeBefore = warnings?.placeIfFirst(this.agent, this.object);
 		if (!agentTransform.readIfChanged() && !hasMoved) return;
+		const placeGiven = warnings && hasMoved ? this.object.position.clone() : null;
 		const { position, quaternion } = components;
 		position.copy(this.#origin).multiplyScalar(agentTransform.size).applyQuaternion(agentTransform.quaternion).add(agentTransform.position);
 		quaternion.copy(agentTransform.quaternion);
 		if (this.#turn) quaternion.multiply(this.#turn);
 		this.#objectTransform.compose(position, quaternion, agentTransform.size * this.#scale);
 		if (placeBefore) warnings.ofFirstUpdate(this.agent, this.object, placeBefore);
+		else warnings?.ofUpdateObject(this.agent, this.object, placeGiven);
 		this.#objectTransform.snapshotInto(this.#lastSnapshot);
 	}
 

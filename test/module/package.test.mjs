@@ -373,6 +373,7 @@ test("while a game is developed, names that do nothing are warned of when they a
 			if (frame === 1) agents[1].sweep = true;
 			if (frame === 5) agents[0].colour = "grey";
 			if (frame === 9) asked[0].isHierarchical = true;
+			if (frame === 3) collision.collider = 3;
 			if (frame === 17) collision.exact = collision.collisionSystem.maxDepth = 3;
 		}
 		new AgentQueries(Object.assign(new LevelCollider(new LevelShapes()), { exact: true })).update([]);
@@ -385,7 +386,7 @@ test("while a game is developed, names that do nothing are warned of when they a
 		new Collision(new BinCollider()).update(cars);
 		console.log(JSON.stringify(said));`;
 	const said = warningsOf(program);
-	const expected = [/sweep is no property of Agent .*is sweeps meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
+	const expected = [/sweep is no property of Agent .*is sweeps meant/, /collider is no property of Collision that the engine reads; is collisionSystem meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
 		/exact does nothing on a Collision: it is for a HierarchicalCollider/, /maxDepth does nothing on a BinCollider/,
 		/exact does nothing on a LevelCollider: set exact of its LevelShapes$/, /rotation is no property of Bus that the engine reads; is heading, pitch/];
 	assertEach(said, expected);

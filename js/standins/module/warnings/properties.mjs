@@ -181,7 +181,8 @@ function $meantBy(object, name) {
 	const isNumbered = (setter) => setter === name.replace(/\d+$/, "");
 	const isNear = (setter) => setter.toLowerCase() === name.toLowerCase() || $changesBetween(name, setter) <= 1;
 	const near = setters.find((setter) => isLong(setter) && !isNumbered(setter) && isNear(setter));
-	const meant = near ?? ("sweeps" in object ? $OTHER_WORDS.get(name) : undefined);
+	const other = object.constructor.name === "Collision" && name === "collider" ? "collisionSystem" : undefined;
+	const meant = near ?? ("sweeps" in object ? $OTHER_WORDS.get(name) : other);
 	return $isOfOwnClass(object, name, meant) ? undefined : meant;
 }
 

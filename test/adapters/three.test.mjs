@@ -359,6 +359,16 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 				coin.agent.moveTo(i, 0, 0);
 				coin.binding.updateAgent();
 			}
+			// an object that should lead, and one that is moved to be drawn
+			for (const isDrawn of [true, false]) {
+				const gem = bound();
+				for (let i = 1; i < 30; i++) {
+					gem.binding.updateObject();
+					if (!isDrawn) gem.object.updateMatrix();
+					gem.object.position.x += 0.1;
+					if (isDrawn) gem.object.updateMatrix();
+				}
+			}
 			for (let i = 0; i < 2; i++) bound(5).binding.updateObject();
 			const mesh = new THREE.InstancedMesh(new THREE.BoxGeometry(), undefined, 3);
 			const model = modelFromObject("one of three", mesh.geometry);
@@ -367,6 +377,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			for (let i = 0; i < 2; i++) new ThreeAgentBinding(new Agent("one of three"), mesh, model);
 		});
 		const expected = [/restore\(\) has put agent \d+ .* back, and updateAgent\(\) undoes it.*binding\.updateObject\(\) after restore\(\)/, /was moved before each of 10 updateAgent\(\) in turn/,
+			/the object of agent \d+ .* was moved before each of 10 updateObject\(\) in turn/,
 			/updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /moves all 3 instances of the mesh of agent .*bindInstance/];
 		assert.equal(said.length, expected.length, said.join("\n"));
 		expected.forEach((pattern, i) => assert.match(said[i], pattern));
@@ -554,7 +565,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		source.geometry.scale(1, 2, 1);
 		binding.updateModel();
 		assert.equal(Math.max(...model.vertices.filter((_, i) => i % 3 === 2)), 1.5);
-		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source).updateModel(), /has no model/);
+		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source).updateModel(), /the binding of agent \d+ .*has no model: it is the third argument/);
 		const before = [...model.vertices];
 		for (const other of [new THREE.Group(), new THREE.Mesh(new THREE.SphereGeometry()), new THREE.Mesh(new THREE.PlaneGeometry()), new THREE.Mesh(new THREE.BufferGeometry())]) {
 			assert.throws(() => new ThreeAgentBinding(new Agent("box"), other, model).updateModel(), /^ArgumentError: .* other meshes/);
@@ -872,7 +883,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		for (const wrong of [null, {}, "bear"]) assert.throws(() => new ThreeAgentBinding(wrong, object), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not /);
 		assert.throws(() => new ThreeAgentBinding(object, agent), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not an object of class Object3D$/);
 		for (const wrong of [null, {}, new THREE.BoxGeometry()]) assert.throws(() => new ThreeAgentBinding(agent, wrong), /^ArgumentError: ThreeAgentBinding: object must be an Object3D, not /);
-		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: ThreeAgentBinding: model must be a Model or null, not an object of class Object3D/);
+		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: ThreeAgentBinding: model must be a Model or null, not an object of class Object3D: it comes third, before the options$/);
 		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: ThreeAgentBinding: options\.up must be "y" or "z", not "x"/);
 		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: modelFromObject: options\.up must be "y" or "z", not "Y"/);
 		for (const wrong of [null, undefined, {}, "bear.glb"]) assert.throws(() => modelFromObject("any", wrong), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not /);

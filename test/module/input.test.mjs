@@ -460,10 +460,13 @@ test("while a game is developed, an error about a value in a literal names the c
 	refused(() => queries.near(walker, 5, { except: ["coins"] }), 'AgentQueries.near: filter.except[0] must be an Agent, not "coins"');
 	refused(() => collision.snapshot({ traits: true }), "Collision.snapshot: options.traits is no option; the nearest is withTraits; there are withTraits, withGround");
 	refused(() => collision.update("coins"), 'Collision.update: agents must be an array, not "coins"');
-	for (const each of [undefined, "coin"]) {
+	// an object of three.js has an id, too
+	for (const each of [undefined, "coin", { id: 3, isObject3D: true }]) {
 		refused(() => collision.update([walker, each]), "Collision.update: agents[1] must be an Agent, not ");
 		refused(() => queries.update([walker, each]), "AgentQueries.update: agents[1] must be an Agent, not ");
 	}
+	refused(() => collision.update([{ id: 3, isObject3D: true }]), "An object of three.js has an agent: new ThreeAgentBinding(agent, object)");
+	refused(() => collision.restore(collision.snapshot(), [{ id: 3 }]), "Collision.restore: agents[0] must be an Agent, not a plain object", 'See docs/snapshots.md in the package, "A saved game"');
 	for (const rays of [queries, new AgentRays(new SeenAgents(collision))]) {
 		for (const call of ["cast", "castAll"]) {
 			refused(() => rays[call](new engine.Vector3D(), { x: 0, y: 0, z: 0 }), `${rays.constructor.name}.${call}: direction must not be 0`);

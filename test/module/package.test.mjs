@@ -356,13 +356,13 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 		console.log(JSON.stringify(said));`;
 	const said = warningsOf(program);
 	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /the handler eat for "wolfs" and "sheep" has 4 parameters, and gets three/, /no agent is of the breed "wolfs"; is "wolves" meant/, /"sheeps"; is "sheep" meant/, /"Wolves"; is "wolves" meant/, /"birds"; is "birdes" meant/, /"turtle"; is "turtles" meant/, /12638 triangles.*set hierarchical/, /sweeps is a field of Bird that hides the engine's: set it in the constructor/, /x is a field of Bird that hides/,
-		/breed is no property of AgentFilter.*is breeds meant/, /stepheight is no property of WalkOptions.*is stepHeight meant/, /position is no property of Agent .*is moveTo\(x, y, z\) meant/, /isHierarchical is no .*is hierarchical meant/, /oneWay is no property of Wolf.*is isOneWay meant/,
+		/breed is no property of AgentFilter.*is breeds meant/, /stepheight is no property of WalkOptions.*is stepHeight meant/, /position is no property of Agent .*is moveTo\(x, y, z\) meant/, /isHierarchical is no .*is hierarchical meant/, /position is no property of Wolf .*is moveTo/, /oneWay is no property of Wolf.*is isOneWay meant/,
 		/loadTightestfit is no property of GreatLand.*is loadTightestFit meant/, /a ModelLoader sends no event "load"; it sends modelLoaded, error, progress, complete, cancel/, /agent \d+ \(breed "turtles", shape "hero"\) begins a motion at \(0, 0, 1\), \S+ deep inside of agent \d+ \(breed "turtles", shape "room"\), which does not stop it\. What is inside of a closed model/];
 	assertEach(said, expected);
 });
 
 test("while a game is developed, names that do nothing are warned of when they are set after the first frame, too", () => {
-	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, Collision", module)}
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, Collision, LevelCollider, LevelShapes", module)}
 		const collision = new Collision(new BinCollider());
 		const queries = new AgentQueries(new BinCollider());
 		const agents = [new Agent("sphere", "wolves"), new Agent("sphere")];
@@ -373,12 +373,22 @@ test("while a game is developed, names that do nothing are warned of when they a
 			if (frame === 1) agents[1].sweep = true;
 			if (frame === 5) agents[0].colour = "grey";
 			if (frame === 9) asked[0].isHierarchical = true;
+			if (frame === 3) collision.collider = 3;
 			if (frame === 17) collision.exact = collision.collisionSystem.maxDepth = 3;
 		}
+		new AgentQueries(Object.assign(new LevelCollider(new LevelShapes()), { exact: true })).update([]);
+		// a name that a game's class does not have in its text, and those that it has
+		class Car extends Agent { position = [1, 2]; turn() { this.yaw = 3; } }
+		class Bus extends Car { }
+		const cars = [new Bus("cube"), new Bus("cube")];
+		cars[0].turn();
+		cars[1].rotation = [1, 2, 3];
+		new Collision(new BinCollider()).update(cars);
 		console.log(JSON.stringify(said));`;
 	const said = warningsOf(program);
-	const expected = [/sweep is no property of Agent .*is sweeps meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
-		/exact does nothing on a Collision: it is for a HierarchicalCollider/, /maxDepth does nothing on a BinCollider/];
+	const expected = [/sweep is no property of Agent .*is sweeps meant/, /collider is no property of Collision that the engine reads; is collisionSystem meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
+		/exact does nothing on a Collision: it is for a HierarchicalCollider/, /maxDepth does nothing on a BinCollider/,
+		/exact does nothing on a LevelCollider: set exact of its LevelShapes$/, /rotation is no property of Bus that the engine reads; is heading, pitch/];
 	assertEach(said, expected);
 });
 
@@ -628,6 +638,7 @@ test("while a game is developed, questions without frames, models that replace o
 		for (const receiver of [new GreatLand(), new LevelShapes()]) {
 			for (const lengths of [[1, 2, 3], [1, 2, 3], [4, 2, 3], [5, 2, 3]]) receiver.addModel(BuiltInModel.box(...lengths));
 			for (const name of ["low", "high", "low"]) receiver.addModel(BuiltInModel.capsule(0.3, 1 + name.length, name));
+			for (const height of [1, 2]) receiver.addModel(BuiltInModel.capsule(0.3, height, "hero"));
 			receiver.addModel(BuiltInModel.cube());
 			receiver.addModel(BuiltInModel.cube());
 		}
@@ -644,7 +655,8 @@ test("while a game is developed, questions without frames, models that replace o
 	const said = warningsOf(program);
 	const expected = [/questions were updated 3000 times, and their Collision with handlers for "heroes" and "edge" never/,
 		/questions were updated 301 times, and their Collision with handlers for "knights" and "foes" never/, /no agent is of the breed "edge"; is Collision\.EDGE meant/,
-		/in 300 frames no handler was called, and handlers for Collision\.TERRAIN need the Collision's terrain, which is null/, /handlers for Collision\.EDGE need the Collision's bounds/, /no agent is of the breed "edge"\. The/, /a box of other lengths takes the place of the first.*BuiltInModel\.box\(\) takes a name last/];
+		/in 300 frames no handler was called, and handlers for Collision\.TERRAIN need the Collision's terrain, which is null/, /handlers for Collision\.EDGE need the Collision's bounds/, /no agent is of the breed "edge"\. The/, /a box of other lengths takes the place of the first.*BuiltInModel\.box\(\) takes a name last/,
+		/a hero of other lengths takes the place of the first, because both are called "hero": give one of them another name/];
 	assertEach(said, expected);
 });
 
@@ -698,10 +710,20 @@ test("while a game is developed, a walker whose way up is blocked by who stands 
 		};
 		rise("crates", []);
 		rise("boxes", ["heroes"]);
+		const enemy = Object.assign(new Agent("lift", "enemies"), { hierarchical: true });
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.box(3, 3, 3, "lift"));
+		land.addModel(BuiltInModel.sphere());
+		const queries = new AgentQueries(Object.assign(new CombinationCollider(land), { exact: true }));
+		for (let i = 0; i < 30; i++) enemy.moveTo(0.1 * i, 0, 0);
+		const guest = Object.assign(new Agent("sphere", "guests"), { x: 2.9, z: 1.5, size: 0.2 });
+		queries.update([enemy, guest]);
+		queries.walk(guest, 0.01, 0);
 		console.log(JSON.stringify(said));`;
-	const [blocked, cast, ...others] = warningsOf(program);
+	const [blocked, cast, moving, ...others] = warningsOf(program);
 	assert.match(blocked, /agent \d+ \(breed "crates".*deep inside of agent \d+ \(breed "lifts".* Its way up is blocked by agent \d+ \(breed "heroes".*leave that one out of the filter of its walk/);
 	assert.match(cast, /agent \d+ \(breed "boxes", shape "boxes"\) begins a motion at/);
+	assert.match(moving, /\(breed "enemies", shape "lift"\), which does not stop it\. That one moves: /);
 	assert.deepEqual(others, []);
 });
 
@@ -855,9 +877,13 @@ test("while a game is developed, a shot that passes through another agent withou
 		collision.filter = null;
 		fly(pooled, ahead, "jumpTo");
 		fly(new Agent("sphere", "birds"), ahead);
+		// sweeps see no jumps
+		fly(Object.assign(new Agent("sphere", "sparks"), { sweeps: true }), (agent, i) => (i % 2 ? agent.moveTo(agent.x + 1, 50, 0) : agent.jumpTo(agent.x + 1, 50, 0)));
+		for (let i = 0; i < 2; i++) fly(Object.assign(new Agent("sphere", "shots"), { sweeps: true }), (agent) => agent.jumpTo(agent.x + 1.4, 50, 0));
 		console.log(JSON.stringify({ said, counts }));`;
 	const { said, counts } = printedBy(program("starlogo-collision.js"));
-	assert.deepEqual(counts, [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1], said.join("\n"));
+	assert.deepEqual(counts, [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 2, 2], said.join("\n"));
+	assert.match(said[1], /^starlogo-collision: agent \d+ \(breed "shots", shape "sphere"\) sweeps, and is moved by jumpTo\(\): a jump goes through everything\./);
 	assert.match(said[0], /^starlogo-collision: agent \d+ \(breed "shots", shape "sphere"\) does not sweep, and has passed through agent \d+ \(breed "walls".*\): it moves by 1\.[45] patches in a frame, [23](\.\d+)? times its size\. /);
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
@@ -1027,11 +1053,13 @@ test("while a game is developed, a lift that rises below a walker without an upd
 			}
 			return said.length;
 		}
-		const counts = [play(60, 0, () => queries.update([lift, floor, hero])), play(60, 0, () => queries.refresh(lift)), play(60, 6), play(29, 0), play(40, 0), play(40, 0)];
+		const counts = [play(60, 0, () => queries.update([lift, floor, hero])), play(60, 0, () => queries.refresh(lift)), play(60, 6), play(29, 0),
+			play(40, 0, () => (queries.update([lift, floor, hero]), lift.moveTo(0, 0, lift.z + 0.005))), play(40, 0), play(40, 0)];
 		console.log(JSON.stringify({ said, counts }));`;
 	const { said, counts } = printedBy(program("starlogo-collision.js"));
-	assert.deepEqual(counts, [0, 0, 0, 0, 1, 1], said.join("\n"));
-	assert.match(said[0], /questions see agent \d+ \(.*shape "lift"\) where it was at the last queries\.update\(agents\), 3\d motions of agent \d+ \(.*shape "hero"\), which stands on it, ago: call it once a frame/);
+	assert.deepEqual(counts, [0, 0, 0, 0, 1, 2, 2], said.join("\n"));
+	assert.match(said[0], /shape "lift"\) moves after queries\.update\(agents\), in 30 frames in turn, and then agent \d+ .*shape "hero"\) moves, which stands on it: move it before the update/);
+	assert.match(said[1], /questions see agent \d+ \(.*shape "lift"\) where it was at the last queries\.update\(agents\), 3\d motions of agent \d+ \(.*shape "hero"\), which stands on it, ago: call it once a frame/);
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 

@@ -61,7 +61,7 @@ export class ThreeAgentBinding {
 	}
 
 	#setModel(model, isYUp) {
-		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}`);
+		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}: it comes third, before the options`);
 		if (conversionOf(model)?.isPlaced) {
 			throw new ArgumentError(`model "${model.name}" is of levelFromObject and has its object's place in it: its agent stays at the origin, without a binding. `
 				+ "What moves has a model of modelFromObject(name, object, { scaling: Model.AS_GIVEN })");
@@ -89,12 +89,14 @@ export class ThreeAgentBinding {
 		const hasMoved = this.#hasMoved();
 		const placeBefore = warnings?.placeIfFirst(this.agent, this.object);
 		if (!agentTransform.readIfChanged() && !hasMoved) return;
+		const placeGiven = warnings && hasMoved ? this.object.position.clone() : null;
 		const { position, quaternion } = components;
 		position.copy(this.#origin).multiplyScalar(agentTransform.size).applyQuaternion(agentTransform.quaternion).add(agentTransform.position);
 		quaternion.copy(agentTransform.quaternion);
 		if (this.#turn) quaternion.multiply(this.#turn);
 		this.#objectTransform.compose(position, quaternion, agentTransform.size * this.#scale);
 		if (placeBefore) warnings.ofFirstUpdate(this.agent, this.object, placeBefore);
+		else warnings?.ofUpdateObject(this.agent, this.object, placeGiven);
 		this.#objectTransform.snapshotInto(this.#lastSnapshot);
 	}
 
@@ -121,7 +123,7 @@ export class ThreeAgentBinding {
 
 	/** Gives the model the pose of the object. */
 	updateModel() {
-		if (this.#model === null) throw new ArgumentError("the binding has no model: pass it to the constructor");
+		if (this.#model === null) throw new ArgumentError(`the binding of ${this.agent} has no model: it is the third argument of new ThreeAgentBinding(agent, object, model)`);
 		if (this.#objectTransform instanceof InstanceTransform) throw new ArgumentError("an instance has no pose of its own");
 		poseModel(this.#model, this.object);
 		warnings?.keepPose(this.#model, this.agent);

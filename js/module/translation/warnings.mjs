@@ -23,9 +23,9 @@ const WARNINGS = new Map([
 		"$warnOfAddition(this, breed, otherBreed);",
 	]),
 	["agents.Agent.moveTo", ["$warnOfPlace(this, x, y, z, false);"]],
-	["agents.Agent.jumpTo", ["$warnOfPlace(this, x, y, z, true);", "$warnOfJump(this, x, y);"]],
+	["agents.Agent.jumpTo", ["$warnOfPlace(this, x, y, z, true);", "$warnOfJumps(this, x, y, z);", "$warnOfJump(this, x, y);"]],
 	["collision.Collision.snapshot", ["$warnOfSnapshot(this, withTraits);"]],
-	["collision.Collision.restore", ["$warnOfRestore(this, bytes, agents);"]],
+	["collision.Collision.restore", ["$refuseNoAgent(\"Collision.restore\", agents);", "$warnOfRestore(this, bytes, agents);"]],
 	["collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],
 	["queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
 	["queries.AgentQueries.update", [

@@ -295,7 +295,7 @@ package starlogo.collision
             var agents:Vector.<Agent> = new <Agent>[a, b];
             collision.update(agents);
             var bytes:ByteArray = collision.snapshot();
-            var wanted:RegExp = new RegExp("but of the 2 that .*lastAgents had: those with the ids " + a.id + ", " + b.id + "; at place ([01]) .*agent ");
+            var wanted:RegExp = new RegExp("but of the 2 that .*lastAgents had, of which a game keeps a copy: those with the ids " + a.id + ", " + b.id + "; at place ([01]) .*agent ");
             assertThrows(ArgumentError, wanted, collision.restore, bytes, new <Agent>[b, a]);
             assertThrows(ArgumentError, wanted, collision.restore, bytes, new <Agent>[a, older]);
             assertThrows(ArgumentError, wanted, collision.restore, bytes, new <Agent>[a, new Agent("sphere")]);

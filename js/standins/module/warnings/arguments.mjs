@@ -29,10 +29,10 @@ export function $warnOfTime(name, given) {
 		+ "Move an agent by its speed, multiplied by the time since the last frame");
 }
 
-/** Refuses what is no agent in the list of an update, and names the call: the engine says only where in the list it is. */
+/** Refuses what is no agent in a list, and names the call: the engine says only where in the list it is. Others have ids, too. */
 export function $refuseNoAgent(call, agents) {
 	for (let i = 0; i < agents.length; i++) {
-		if (agents[i]?.id === undefined) $refuse(null, `${call}: agents[${i}]`, agents[i], "an Agent");
+		if (agents[i]?.$revision === undefined) $refuse(null, `${call}: agents[${i}]`, agents[i], "an Agent");
 	}
 }
 
@@ -79,15 +79,15 @@ export function $warnOfLength(name, given) {
 	if (given.length > 0) $warn(`BuiltInModel.${name}() takes no arguments: it is one unit wide, and agent.size is its width in patches`);
 }
 
-/** Warns of a built-in model that takes the place of one of other lengths, because neither has got a name. */
+/** Warns of a built-in model that takes the place of another one, because both have the same name. */
 export function $warnOfReplaced(receiver, model) {
-	const name = model?.name;
-	if (!$isBuiltIn(model) || name !== "box" && name !== "capsule") return;
+	if (!$isBuiltIn(model)) return;
+	const { name } = model;
 	// a LevelShapes has its models in its choice
 	const before = receiver.$choice ? receiver.$choice.$modelOf(name) : receiver.modelOf(name);
-	if (!$isBuiltIn(before) || before.vertices.join() === model.vertices.join()) return;
-	$warn(`a ${name} of other lengths takes the place of the first, because both are called "${name}": `
-		+ `BuiltInModel.${name}() takes a name last`);
+	if (!before || before.vertices.join() === model.vertices.join()) return;
+	const remedy = name === "box" || name === "capsule" ? `BuiltInModel.${name}() takes a name last` : "give one of them another name";
+	$warn(`a ${name} of other lengths takes the place of the first, because both are called ${JSON.stringify(name)}: ${remedy}`);
 }
 
 /** Warns of a model's name that is not known, if a model is called nearly the same. Its model may still come, so it is no error. */

@@ -13,6 +13,9 @@ const $MANY_UNDONE = 10;
  */
 const $lastPlaces = /* @__PURE__ */ new WeakMap();
 
+/** Of an object: where the last update has put it, and how many in turn have put it back there. */
+const $undoneMoves = /* @__PURE__ */ new WeakMap();
+
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
@@ -20,7 +23,7 @@ const $sources = /* @__PURE__ */ new WeakMap();
 export function $warningsForAdapters() {
 	return {
 		keepSource: $keepSource, keepPose: $keepPose, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
-		placeIfFirst: $placeIfFirst, ofFirstUpdate: $warnOfFirstUpdate, placeIfMoved: $placeIfMoved, ofUpdateAgent: $warnOfUpdateAgent, errorOfVertex: $errorOfVertex,
+		placeIfFirst: $placeIfFirst, ofFirstUpdate: $warnOfFirstUpdate, ofUpdateObject: $warnOfUpdateObject, placeIfMoved: $placeIfMoved, ofUpdateAgent: $warnOfUpdateAgent, errorOfVertex: $errorOfVertex,
 		requireSkeletons: $requireSkeletons,
 	};
 }
@@ -92,6 +95,23 @@ function $warnOfFirstUpdate(agent, { position }, placeBefore) {
 		+ "stands where it should, call updateAgent() once before", `first update of ${agent.shape}`);
 }
 
+/**
+ * Warns of an object that is moved before each of many updates, which undo it. It was drawn where the last update put it: what is moved to be
+ * drawn elsewhere is drawn there.
+ *
+ * @param placeBefore where the object was before the update, if it had moved since the last one; else null
+ */
+function $warnOfUpdateObject(agent, object, placeBefore) {
+	const last = $undoneMoves.get(object);
+	const isUndone = last && placeBefore && object.matrixAutoUpdate && $isElsewhere(placeBefore, last.place) && $isElsewhere(object.position, placeBefore)
+		&& !$isElsewhere(last.place, $drawnPlaceOf(object));
+	const undone = isUndone ? last.undone + 1 : 0;
+	$undoneMoves.set(object, { place: object.position.clone(), undone });
+	if (undone !== $MANY_UNDONE) return;
+	$warn(`the object of ${agent} was moved before each of ${undone} updateObject() in turn, which undo it, because the agent leads: move the agent, or call `
+		+ "updateAgent() if the object leads", "undone object");
+}
+
 /** Where an agent is, if it has moved since the last update of its binding. */
 function $placeIfMoved(agent) {
 	const last = $lastPlaces.get(agent);
@@ -120,8 +140,13 @@ function $warnOfUpdateAgent(agent, object, placeBefore, isLed) {
 }
 
 /** Whether an object was drawn elsewhere since the last update: it was moved with its agent, and then back. */
-function $isDrawnElsewhere({ matrixAutoUpdate, matrix, position }) {
-	return matrixAutoUpdate && $isElsewhere(position, new Vector3D(...matrix.elements.slice(12, 15)));
+function $isDrawnElsewhere(object) {
+	return object.matrixAutoUpdate && $isElsewhere(object.position, $drawnPlaceOf(object));
+}
+
+/** Where an object was drawn last. */
+function $drawnPlaceOf({ matrix }) {
+	return new Vector3D(...matrix.elements.slice(12, 15));
 }
 
 function $keepPlace(agent, undone) {

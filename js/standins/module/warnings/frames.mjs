@@ -121,8 +121,8 @@ export function $warnOfNewAgents(collision, agents) {
 	let others = 0;
 	let revisions = 0;
 	for (let i = 0; i < agents.length; i++) {
-		const id = agents[i]?.id;
-		if (id === undefined) $refuseNoAgent("Collision.update", agents);
+		if (agents[i]?.$revision === undefined) $refuseNoAgent("Collision.update", agents);
+		const { id } = agents[i];
 		if (id > greatest) greatest = id;
 		if (id > kept.greatestId) {
 			newBreeds.add(agents[i].breed);

@@ -158,11 +158,16 @@ function $lookAtTraits(collisionSystem, agents) {
 function $lookAtProperties(object) {
 	const type = object.constructor.name;
 	for (const name of Object.keys(object).filter((each) => !/^[_$]/.test(each))) {
-		if ($TREE_SETTINGS.includes(name)) $warn(`${name} does nothing on a ${type}: it is for a HierarchicalCollider or a CombinationCollider`);
+		if ($TREE_SETTINGS.includes(name)) $warn(`${name} does nothing on a ${type}: ${$remedyForSetting(type, name)}`);
 		const meant = $meantBy(object, name);
 		if (meant === name) $warn(`${name} is a field of ${type} that hides the engine's: set it in the constructor`);
 		else if (meant !== undefined) $warn(`${name} is no property of ${type} that the engine reads; is ${meant} meant?`);
 	}
+}
+
+/** What to do about a setting of trees that a collision system does not have. */
+function $remedyForSetting(type, name) {
+	return type === "LevelCollider" ? `set ${name} of its LevelShapes` : "it is for a HierarchicalCollider or a CombinationCollider";
 }
 
 /**
@@ -176,17 +181,26 @@ function $meantBy(object, name) {
 	const isNumbered = (setter) => setter === name.replace(/\d+$/, "");
 	const isNear = (setter) => setter.toLowerCase() === name.toLowerCase() || $changesBetween(name, setter) <= 1;
 	const near = setters.find((setter) => isLong(setter) && !isNumbered(setter) && isNear(setter));
-	const meant = near ?? ("sweeps" in object ? $OTHER_WORDS.get(name) : undefined);
+	const other = object.constructor.name === "Collision" && name === "collider" ? "collisionSystem" : undefined;
+	const meant = near ?? ("sweeps" in object ? $OTHER_WORDS.get(name) : other);
 	return $isOfOwnClass(object, name, meant) ? undefined : meant;
 }
 
 /**
- * Whether a property belongs to a game's own class of agents, though its name is near a trait's: other libraries have such a word, or it is
- * a plural, or its value is of another kind than the trait's, as a list.
+ * Whether a property belongs to a game's own class of agents, which declares it, though its name is near a trait's: other libraries have
+ * such a word, or it is a plural, or its value is of another kind than the trait's, as a list.
  */
 function $isOfOwnClass(object, name, trait) {
-	if (!("sweeps" in object) || object.constructor.name === "Agent") return false;
-	return $OWN_WORDS.test(name) || name === `${trait}s` || typeof object[name] !== typeof object[trait];
+	if (!("sweeps" in object)) return false;
+	const isOther = $OWN_WORDS.test(name) || name === `${trait}s` || typeof object[name] !== typeof object[trait];
+	return isOther && $isInClass(object, name);
+}
+
+/** Whether a game's own class of an agent, or one that it extends, has a name in its text: it declares the property, or sets it. */
+function $isInClass(object, name) {
+	const type = Object.getPrototypeOf(object);
+	if (type.constructor.name === "Agent") return false;
+	return String(type.constructor).match(/[\w$]+/g).includes(name) || $isInClass(type, name);
 }
 
 /** The names of an object's setters. */

@@ -21,13 +21,14 @@ const $LONG_PLAY_WITHOUT_FRAMES = 300;
 /**
  * Of questions: how many updates they had before their Collision's first, after how many of these they moved an agent, the first such agent, and where it
  * was; the list of their last update, and when it was; the first agent that they have moved since, and how often; where the list's first agents are once
- * that is long ago; the agents that the questions move themselves.
+ * that is long ago; in how many frames in turn a platform moved late; the agents that the questions move
+ * themselves.
  */
 const $questions = /* @__PURE__ */ new WeakMap();
 
 function $newQuestions() {
 	return {
-		updatesBefore: 0, playedBefore: 0, player: null, start: null, agents: null, updated: 0, walker: null, walks: 0, places: null, movers: new WeakSet(),
+		updatesBefore: 0, playedBefore: 0, player: null, start: null, agents: null, updated: 0, walker: null, walks: 0, lates: 0, places: null, movers: new WeakSet(),
 	};
 }
 
@@ -57,6 +58,7 @@ export function $warnOfStale(queries, agents, mover) {
 		kept.movers.add(mover);
 		kept.walker ??= mover;
 		if (mover === kept.walker) kept.walks++;
+		if (mover === $lastWalk?.agent) $countLate(kept, queries, mover);
 	}
 	const frames = $updates - kept.updated;
 	const platform = kept.walks < $MANY_WALKS ? null : $movedBelow(queries, kept.walker);
@@ -67,6 +69,15 @@ export function $warnOfStale(queries, agents, mover) {
 	if (!moved) return;
 	const since = frames < $LONG_WITHOUT_UPDATE ? `${kept.walks} motions of ${kept.walker}` : `${frames} frames`;
 	$reportStale(moved.agent, since);
+}
+
+/** Warns of a platform that has moved since the update of its frame when its rider is moved, in many frames in turn. */
+function $countLate(kept, queries, rider) {
+	const platform = $movedBelow(queries, rider);
+	kept.lates = platform ? kept.lates + 1 : 0;
+	if (kept.lates !== $MANY_WALKS || kept.walks >= $MANY_WALKS) return;
+	$warn(`${platform} moves after queries.update(agents), in ${kept.lates} frames in turn, and then ${rider} moves, which stands on it: `
+		+ "move it before the update. See docs/queries.md in the package, \"The order of a frame\"", "late platform");
 }
 
 function $reportStale(agent, since) {

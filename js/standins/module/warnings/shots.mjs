@@ -32,6 +32,9 @@ const $placed = /* @__PURE__ */ new Map();
  */
 const $shots = /* @__PURE__ */ new Map();
 
+/** Of an agent that sweeps: where its last jump ended, by which step, and how many jumps in turn were by this one. */
+const $jumpsOf = /* @__PURE__ */ new WeakMap();
+
 function $newShot(place, step) {
 	return { place, step, repeats: 0, passed: null };
 }
@@ -48,6 +51,21 @@ export function $warnOfPlace(agent, x, y, z, isJump) {
 	if (!isJump && (agent.id <= $greatestId || $placed.has(agent)) || $placed.size >= $MOST_PLACED) return;
 	if (!isInWorld(x, y, z)) return; // the engine refuses it
 	$placed.set(agent, { x, y, z });
+}
+
+/**
+ * Warns of an agent that sweeps, and is moved by jumps: each begins where the last one ended, and is by the same step. Nothing is tested on
+ * the way of a jump.
+ */
+export function $warnOfJumps(agent, x, y, z) {
+	if (!agent.sweeps || !isInWorld(x, y, z)) return;
+	const before = $jumpsOf.get(agent);
+	const step = new Vector3D(x - agent.x, y - agent.y, z - agent.z);
+	const isNext = before && $distance(agent, before.place) === 0 && step.length > $FAR * agent.size && $isSameStep(step, before.step);
+	const repeats = isNext ? before.repeats + 1 : 0;
+	$jumpsOf.set(agent, { place: new Vector3D(x, y, z), step, repeats });
+	if (repeats !== $MANY_STEPS) return;
+	$warn(`${agent} sweeps, and is moved by jumpTo(): a jump goes through everything. It meets what is on its way if it has moveTo()`, "jumps of a shot");
 }
 
 /** Warns of agents of a list that sweep, and have been moved since; and of shots that do not sweep, and tunnel. */

@@ -83,6 +83,8 @@ const $HINT_OF_BREEDS = ". Breeds go into one: { breeds: [\"sheep\"] }";
 
 const $HINT_OF_SAVED = ". JSON does not keep bytes: a saved game has them as text. See docs/snapshots.md in the package, \"A saved game\"";
 
+const $HINT_OF_COPIES = ". Copies and JSON are no agents: a saved game makes them anew. See docs/snapshots.md in the package, \"A saved game\"";
+
 /** What an error says about a value of the wrong kind: what is probably meant by it. `given` is the call, a colon, and the argument's name. */
 export function $hintOfValue(value, expected, given) {
 	const ofCall = $meantInCall(value, expected, given);
@@ -106,6 +108,7 @@ export function $hintOfValue(value, expected, given) {
 			: ". It takes the numbers of a point one by one: point.x, point.y, point.z";
 	}
 	const isDrawn = value.isObject3D || value.isBufferGeometry;
+	if (expected === "an Agent" && isDrawn) return ". An object of three.js has an agent: new ThreeAgentBinding(agent, object)";
 	return expected === "a Model" && isDrawn ? ". modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it" : "";
 }
 
@@ -114,6 +117,7 @@ function $meantInCall(value, expected, given) {
 	if (/^Collision\.(?:on\w+|removeHandler): (?:breed|otherBreed)$/.test(given)) return $meantByBreed(value);
 	const isSome = value !== null && /object|string/.test(typeof value) && typeof value.then !== "function";
 	if (given === "Collision.restore: bytes" && isSome) return $HINT_OF_SAVED;
+	if (given.startsWith("Collision.restore: agents[")) return $HINT_OF_COPIES;
 	const [, model] = /^BuiltInModel\.(capsule|box): (?:radius|x)$/.exec(given) ?? [];
 	if (model && $isWord(value)) {
 		return `. The name comes last: ${model}(${model === "box" ? "4, 0.5, 3" : "0.3, 1.8"}, ${JSON.stringify(value)})`;

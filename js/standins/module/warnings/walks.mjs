@@ -36,6 +36,10 @@ const $SHORT_JUMP = 1;
 /** Of a platform that has jumped below a walker: by which step, below whom and where that one was, and how often in turn. */
 const $jumps = /* @__PURE__ */ new WeakMap();
 
+/** What has changed more often than this is no level, but a door or an enemy. */
+const $MANY_CHANGES = 20;
+const $REMEDY_FOR_MOVING = "That one moves: the two were in one another before the motion. Where a walk ends, no binding or jump may undo it";
+
 /** How many walks of one breed another has stopped, by the text of both. */
 const $stops = /* @__PURE__ */ new Map();
 
@@ -121,7 +125,8 @@ export function $warnOfInside(agents, row, agent, place, below, depth, isTree) {
 	const name = agent ?? "a structure that is cast";
 	const key = `inside ${level.shape} ${agent?.shape}`;
 	const rider = agent && agents.find((each) => each?.$platformLink?.platform === agent);
-	if (isTree) $warn($textOfTree(name, place, depth, level, rider ? $remedyForRider(rider) : $remedyForPlace(place, agent ? below : 0)), key);
+	const remedy = rider ? $remedyForRider(rider) : level.$revision > $MANY_CHANGES ? $REMEDY_FOR_MOVING : $remedyForPlace(place, agent ? below : 0);
+	if (isTree) $warn($textOfTree(name, place, depth, level, remedy), key);
 	else $warn($textOfStructure(name, depth, level, agent === null), key);
 }
 

@@ -119,7 +119,7 @@ package starlogo.collision.snapshots
 
         private static function textOfAgents(count:int, known:SnapshotEntry):String
         {
-            var all:String = "the " + count + " that its frame's collision.lastAgents had";
+            var all:String = "the " + count + " that its frame's collision.lastAgents had, of which a game keeps a copy";
             if (count == 0)
             {
                 return "no agents: it was taken before the first frame, or after a frame without agents";

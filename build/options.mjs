@@ -10,7 +10,7 @@
  *
  * Names with a dot may be Ant's own, so they pass, and so does what is no option. Ends with status 64 if an option is refused.
  */
-import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { thereIs } from './nearest.mjs';
 
@@ -61,6 +61,7 @@ for (const [name, value] of given) {
 
 function problemOfFolder(folder, all) {
 	if (!existsSync(folder)) return `there is no folder ${path.resolve(folder)}`;
+	if (!statSync(folder).isDirectory()) return `${folder} is a file. Name the folder in which the packages of its classes begin`;
 	const outer = all.find((other) => /^(?!\.\.|$)/.test(path.relative(other, folder)));
 	return outer && `${folder} is in ${outer}. Name only the folder in which the packages of its classes begin`;
 }

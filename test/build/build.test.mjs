@@ -77,6 +77,14 @@ test('what a tool says of a failure is told at once, and not only when all parts
 	for (const file of files) assert.doesNotMatch(read(file), /<fail [^>]*\$\{[^>]*(output|problems|lint)/, file);
 });
 
+test('a collider of the reader\'s own may be called as one of the engine\'s, in a package of its own', () => {
+	const cuts = [...read('build/timing.xml').matchAll(/<replaceregex pattern="([^"]*)"(?: replace="([^"]*)")? flags="g"\/>/g)];
+	const included = (given) => cuts.reduce((text, [, pattern, by = '']) => text.replace(new RegExp(pattern, 'g'), by), given);
+	assert.equal(included('BinCollider,CombinationCollider,game.DiscCollider,'), 'game.DiscCollider');
+	assert.equal(included('game.BinCollider,BinCollider,game.Fitter'), 'game.BinCollider,game.Fitter');
+	assert.equal(included('TightestFitCollider,'), '');
+});
+
 /** A program in Ant's place that makes something and does not end. It says so when it is told to. */
 function hangingAnt() {
 	const lines = ['mkdir -p bin/stamps/begun', 'trap "touch ended; exit 1" TERM', 'sleep 0.1', 'touch bin/stamps/begun/file', 'while :; do sleep 0.1; done'];
@@ -254,5 +262,6 @@ test('a value that can be none of its option\'s is refused before anything is ma
 	assert.equal(said('-Dmodels=bear,cub'), '-Dmodels: there is no "cub"; there is cube\n');
 	assert.match(said('-Dfigures=xyzzy'), /^-Dfigures: there is no "xyzzy"; there are volumes,fits,.*,monitor\n$/);
 	assert.equal(said('-Dsources=src/client,test,src,src'), '-Dsources: src/client is in src. Name only the folder in which the packages of its classes begin\n');
+	assert.equal(said('-Dsources=antw'), '-Dsources: antw is a file. Name the folder in which the packages of its classes begin\n');
 	assert.equal(said('-Dsources=src,/no/folder', '-Dlibraries=/no/file.swc'), '-Dsources: there is no folder /no/folder\n-Dlibraries: there is no file /no/file.swc\n');
 });

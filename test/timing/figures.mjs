@@ -25,7 +25,7 @@ export function bySubject(entries) {
 
 /** A time with its spread, or why there is none. */
 export function measured(entry) {
-	return entry ? entry.refused ?? `${time(entry.value)} ${spread(entry.value, entry.low, entry.high)}` : '';
+	return entry ? entry.refused ?? `${time(entry.value)} ${entry.samples === 1 ? '(one sample)' : spread(entry.value, entry.low, entry.high)}` : '';
 }
 
 /** What times and multiples are. */

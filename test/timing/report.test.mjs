@@ -379,6 +379,17 @@ test('a later run takes the places of its entries alone', () => {
 	assert.equal(both.at(-1).subject, 'cube');
 });
 
+test('one sample has no range, is not compared, and does not take the place of more', () => {
+	const once = timed('tests', 'boxBox', 'engine', 0.0019, { low: 0.0019, high: 0.0019, multiple: 8, multipleLow: 8, multipleHigh: 8, samples: 1 });
+	assert.match(tables([once]), /^boxBox +1\.90 µs \(one sample\) +8\.0×$/m);
+	const often = timed('tests', 'boxBox', 'engine', 0.01, { multiple: 40 });
+	assert.deepEqual(merged([often], [once]), [often]);
+	assert.deepEqual(merged([once], [often]), [often]);
+	const later = { ...once, value: 0.002 };
+	assert.deepEqual(merged([once], [later]), [later]);
+	assert.deepEqual(changes([often], [once]), []);
+});
+
 test('a report that several runs have made says so, with the greatest load', async () => {
 	assert.deepEqual(greatestLoad({ start: 0.2, end: 3 }, { start: 1, end: 2 }), { start: 1, end: 3 });
 	assert.deepEqual(greatestLoad({ end: 1 }, { start: 0.5, end: 2 }), { start: 0.5, end: 2 });
@@ -434,4 +445,6 @@ test('an interrupted run says how far it was, if it had measured anything', (t) 
 	assert.equal(cut(), `The timing run was interrupted after ${entries.length} entries, the last of them of scattered, 10000 mix.\n\`node test/timing/report.mjs ${folder}\` makes a report of them.\n`);
 	utimesSync(path.join(folder, 'results.json'), 0, 0);
 	assert.equal(cut(), '');
+	writeFileSync(path.join(folder, 'results.json'), '{"entries": []}');
+	assert.equal(cut(), 'The timing run was interrupted before its first entry.\n');
 });

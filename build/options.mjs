@@ -51,7 +51,7 @@ const PROBLEMS = {
 	figures: (part) => problemOfName(part, namesOf('FIGURES')),
 	models: (part) => problemOfName(part, namesOf('MODELS')),
 	// with folders of the user's sources there may be more
-	colliders: (part) => !given.has('sources') && problemOfName(part, namesOf('COLLIDERS'), '; -Dsources= names the folder of a class of your own'),
+	colliders: (part) => !given.has('sources') && problemOfName(part, namesOf('COLLIDERS'), `; there are ${namesOf('COLLIDERS')}, and -Dsources= names the folder of your own`),
 	agents: problemOfCount,
 	repetitions: problemOfCount,
 };

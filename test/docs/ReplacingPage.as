@@ -88,7 +88,7 @@ package docs
             questions.update(walkers);
             questions.walk(walkers[0], 0.5, 0);
             assertEquals("walked into it", "2.500", walkers[0].xcor.toFixed(3));
-            assertEquals("on the ground", 0, walkers[0].altitude);
+            assertEquals("on the ground", "0.000", walkers[0].altitude.toFixed(3));
         }
 
         private function meetingsOf(turtles:Vector.<Turtle>):int

@@ -215,6 +215,8 @@ test('what -Dcompare names must be a report, and the run does not begin without'
 	const begin = (...more) => spawnSync(process.execPath, [fileURLToPath(new URL('load.mjs', import.meta.url)), folder, ...more], { encoding: 'utf8' });
 	assert.deepEqual([begin('nothing.json').status, begin('nothing.json').stderr], [64, '-Dcompare: there is no file nothing.json\n']);
 	assert.equal(begin('').status, 0);
+	writeFileSync(text, JSON.stringify({ ...EMPTY, entries, machine: { cores: 2 }, load: { start: 1, end: 9 } }));
+	assert.match(begin(text).stdout, /\nNothing will be compared with .*text\.json: in its run more programs ran than the machine has cores\.\n$/);
 });
 
 test('a busy machine is told', () => {

@@ -233,7 +233,8 @@ const crowdHead = (variants) => [['crowd', variants, 'engine', '× sphere', 'JIT
 
 /** A class's name without its package. */
 const shortName = (name) => name.slice(name.lastIndexOf('.') + 1);
-const colliderNames = (entries) => collidersOf(entries).map((name) => shortName(name).replace(/Collider$/, ''));
+// one that is called as the engine's keeps its package
+const colliderNames = (entries) => collidersOf(entries).map((name) => (COLLIDERS.includes(shortName(name)) ? name : shortName(name)).replace(/Collider$/, ''));
 
 /** The entries that a figure shows. */
 export const shownIn = ({ id, of = [id] }, entries) => entries.filter(({ figure }) => of.includes(figure));

@@ -372,6 +372,11 @@ test("a researcher's own fitters and colliders stand beside the engine's", async
 	assert.match(html, /"Discs: n\^1\.00"|game\.Discs: n\^1\.00/);
 });
 
+test('a collider of the reader\'s own that is called as one of the engine\'s has its package in the heads', () => {
+	const found = ['BinCollider', 'game.BinCollider', 'game.DiscCollider'].map((name) => timed('scattered', '100 mix', name, 1, { agents: 100, collisions: 0, agrees: true }));
+	assert.match(tables(found), /^game +Bin +.*game\.Bin +Disc /m);
+});
+
 test('a later run takes the places of its entries alone', () => {
 	const later = [timed('fits', 'bear', 'engine', 5), timed('fits', 'cube', 'engine', 1)];
 	const both = merged(entries, later);

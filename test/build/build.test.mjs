@@ -77,6 +77,24 @@ test('what a tool says of a failure is told at once, and not only when all parts
 	for (const file of files) assert.doesNotMatch(read(file), /<fail [^>]*\$\{[^>]*(output|problems|lint)/, file);
 });
 
+test('a collider of the reader\'s own may be called as one of the engine\'s, in a package of its own', () => {
+	const cuts = [...read('build/timing.xml').matchAll(/<replaceregex pattern="([^"]*)"(?: replace="([^"]*)")? flags="g"\/>/g)];
+	const included = (given) => cuts.reduce((text, [, pattern, by = '']) => text.replace(new RegExp(pattern, 'g'), by), given);
+	assert.equal(included('BinCollider,CombinationCollider,game.DiscCollider,'), 'game.DiscCollider');
+	assert.equal(included('game.BinCollider,BinCollider,game.Fitter'), 'game.BinCollider,game.Fitter');
+	assert.equal(included('TightestFitCollider,'), '');
+});
+
+test('an option of other targets is refused where it would do nothing', () => {
+	const said = (...given) => spawnSync(process.execPath, ['build/options.mjs', ...given], { cwd: root, encoding: 'utf8' }).stderr;
+	assert.equal(said('client-test', '-Dsources=src', '-Dplayer=avmshell'), 'antw: client-test does not take -Dplayer; it takes -Dsources, -Dtest, -Dlibraries, -Dstall\n');
+	assert.match(said('timing', '-Dstall=3'), /^antw: timing does not take -Dstall; it takes -Dfull, -Dfigures, /);
+	assert.equal(said('timing', '-Dplayer=avmshell', '-Dagents=10', '-Dbeside=false', '-Dnode', '-Dfull', '-Dtiming.out=x'), '');
+	// another target may take it
+	assert.equal(said('timing', 'client-test', '-Dsources=src', '-Dstall=3'), '');
+	assert.equal(said('test', '-Dstall=3'), '');
+});
+
 /** A program in Ant's place that makes something and does not end. It says so when it is told to. */
 function hangingAnt() {
 	const lines = ['mkdir -p bin/stamps/begun', 'trap "touch ended; exit 1" TERM', 'sleep 0.1', 'touch bin/stamps/begun/file', 'while :; do sleep 0.1; done'];
@@ -238,21 +256,26 @@ test('a name that is no option is refused, with the nearest, and so is an option
 	assert.deepEqual(check('--no-target', 'clienttest'), [64, 'antw: there is no target clienttest; there is client-test\n']);
 	assert.deepEqual(check('--no-target', 'report'), [64, 'antw: there is no target report; see timing\n']);
 	// every option that a page names is one
-	const VALUES = { stall: 1, sources: 'src', libraries: 'antw', figures: 'fits', models: 'bear', agents: 1, repetitions: 1 };
+	const VALUES = { stall: 1, sources: 'src', libraries: 'antw', figures: 'fits', models: 'bear', agents: 1, repetitions: 1, player: 'node', beside: 'false' };
 	const named = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).flatMap((file) => [...read(`docs/${file}`).matchAll(/[ `]-D([a-z]+)\b(?!\.)/g)].map(([, name]) => name));
 	assert.ok(named.length > 50);
 	assert.deepEqual(check(...new Set(named.map((name) => `-D${name}=${VALUES[name] ?? 'a'}`))), [0, '']);
 });
 
 test('a value that can be none of its option\'s is refused before anything is made', () => {
-	const said = (...options) => spawnSync(process.execPath, ['build/options.mjs', 'timing', ...options], { cwd: root, encoding: 'utf8' }).stderr.replace(/^antw: /gm, '');
+	const said = (...options) => spawnSync(process.execPath, ['build/options.mjs', ...options], { cwd: root, encoding: 'utf8' }).stderr.replace(/^antw: /gm, '');
 	for (const wrong of ['abc', '1.5s', '0', '-5', 'Infinity']) assert.equal(said(`-Dstall=${wrong}`), `-Dstall: seconds above 0 are needed, not "${wrong}"\n`);
 	assert.equal(said('-Drepetitions=0'), '-Drepetitions: numbers of at least 1 are needed, not "0"\n');
 	assert.equal(said('-Dagents=10,1.5'), '-Dagents: numbers of at least 1 are needed, not "1.5"\n');
 	assert.equal(said('-Dcolliders=BinColider'), '-Dcolliders: there is no "BinColider"; there is BinCollider\n');
-	assert.equal(said('-Dcolliders=my.Own'), '-Dcolliders: there is no "my.Own"; -Dsources= names the folder of a class of your own\n');
+	assert.equal(said('-Dcolliders=my.Own'), '-Dcolliders: there is no "my.Own"; there are BinCollider,TightestFitCollider,HierarchicalCollider,CombinationCollider, and -Dsources= names the folder of your own\n');
 	assert.equal(said('-Dmodels=bear,cub'), '-Dmodels: there is no "cub"; there is cube\n');
 	assert.match(said('-Dfigures=xyzzy'), /^-Dfigures: there is no "xyzzy"; there are volumes,fits,.*,monitor\n$/);
 	assert.equal(said('-Dsources=src/client,test,src,src'), '-Dsources: src/client is in src. Name only the folder in which the packages of its classes begin\n');
+	assert.equal(said('-Dlibraries=src,antw'), '-Dlibraries: the folder src has no SWC\n');
+	assert.equal(said('-Dplayer=flash'), '-Dplayer: there is no "flash"; there are ruffle, avmshell, node\n');
+	assert.equal(said('timing', '-Dplayer=node'), '-Dplayer: there is no "node"; there are ruffle, avmshell\n');
+	assert.equal(said('-Dbeside=maybe'), '-Dbeside: true or false is needed, not "maybe"\n');
+	assert.equal(said('-Dsources=antw'), '-Dsources: antw is a file. Name the folder in which the packages of its classes begin\n');
 	assert.equal(said('-Dsources=src,/no/folder', '-Dlibraries=/no/file.swc'), '-Dsources: there is no folder /no/folder\n-Dlibraries: there is no file /no/file.swc\n');
 });

@@ -9,6 +9,7 @@ package docs
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.collision.Collision;
     import starlogo.collision.TightestFitCollider;
     import starlogo.queries.AgentFilter;
 
@@ -82,11 +83,12 @@ package docs
             walkers[0].xcor = 2.5;
             questions.update(walkers);
             assertTrue("moved into it", questions.touchesAny(walkers[0]));
-            questions.filter = AgentFilter.ofBreeds("walls");
+            questions.filter = AgentFilter.ofBreeds("walls", Collision.TERRAIN);
             walkers[0].xcor = 2;
             questions.update(walkers);
             questions.walk(walkers[0], 0.5, 0);
             assertEquals("walked into it", "2.500", walkers[0].xcor.toFixed(3));
+            assertEquals("on the ground", "0.000", walkers[0].altitude.toFixed(3));
         }
 
         private function meetingsOf(turtles:Vector.<Turtle>):int

@@ -754,7 +754,7 @@ test("while a game is developed, settings that a constructor does not take, leve
 	const said = warningsOf(program);
 	const expected = [/new HierarchicalCollider takes 1 argument, and does nothing with the others: settings such as exact are set after it/,
 		/agent \d+ \(breed "heroes", shape "hero"\) begins a motion 3\.8 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), and a walk pushes it out.*hierarchical.*CombinationCollider/,
-		/agent \d+ \(breed "heroes", shape "hero"\) has fallen in 200 walks, from z = 500 to 400: .*queries\.update\(\), which is called once a frame.*AS_GIVEN or of levelFromObject.*"y"/];
+		/agent \d+ \(breed "heroes", shape "hero"\) has fallen in 200 walks, from z = 500 to 400: .*queries\.update\(\), which is called once a frame.*breeds of the walk's filter.*AS_GIVEN or of levelFromObject.*"y"/];
 	assertEach(said, expected);
 });
 

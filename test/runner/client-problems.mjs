@@ -14,10 +14,13 @@ const TAG = new RegExp(`\\[(${TAGS.join('|')})\\b`, 'i');
 /** The line of a text at an index. */
 export const lineAt = (text, index) => text.slice(0, index).split('\n').length;
 
-/** The parts of each function that a text names, and its line. */
+/** The parts of each function that a text names, its line, and the reason that [Ignore] gives. */
 export function functionsIn(text) {
 	const source = codeOf(text);
-	return [...source.matchAll(FUNCTION)].map(({ 0: all, index, groups }) => ({ ...groups, line: lineAt(source, index + all.indexOf('function')) }));
+	return [...source.matchAll(FUNCTION)].map(({ 0: all, index, groups }) => {
+		const [, reason] = /\[Ignore\b/.test(groups.metadata) && /\[Ignore\b[^\]]*?("[^"\n]+")/.exec(text.slice(index, index + all.length)) || [];
+		return { ...groups, reason, line: lineAt(source, index + all.indexOf('function')) };
+	});
 }
 
 /**

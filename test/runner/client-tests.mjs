@@ -63,7 +63,7 @@ function functionsOf(name) {
 const tagOf = ({ metadata }) => /\[(?:Before|After)Class\b/.exec(metadata)?.[0].concat(']');
 
 /**
- * Where a class begins, and its functions: the player's stack traces have no lines. What runs before or after all its tests is also found
+ * Where a class begins, and its functions, with the reason of one that is ignored: the player's stack traces have no lines. What runs before or after all its tests is also found
  * as "game.MeetTest [BeforeClass]".
  */
 function placesIn(name) {
@@ -73,7 +73,7 @@ function placesIn(name) {
 	const around = [...new Set(own.map(tagOf).filter(Boolean))]
 		.map((tag) => [`${name} ${tag}`, own.filter((one) => tagOf(one) === tag).map(placeAt).join(' or ')]);
 	const begin = { file: files.get(name), line: lineAt(text, text.search(/^[^*/\n]*\bclass\b/m)) };
-	return [[name, placeAt(begin)], ...own.map((one) => [`${name}.${one.name}`, placeAt(one)]), ...around];
+	return [[name, placeAt(begin)], ...own.map((one) => [`${name}.${one.name}`, [placeAt(one), one.reason].filter(Boolean).join(', ')]), ...around];
 }
 
 const problems = classes.flatMap((each) => problemsIn(texts.get(each)).map((problem) => ({ file: files.get(each), ...problem })));

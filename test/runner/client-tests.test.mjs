@@ -32,6 +32,15 @@ test('a test that fails is told with its file and line', () => {
 	assert.match(readFileSync(path.join(folder, 'out/ClientTestsReporter.as'), 'utf8'), /"game\.world\.TurtleTest\.swims": "tests\/game\/world\/TurtleTest\.as:6"/);
 });
 
+test('a test that is ignored is told with its reason', () => {
+	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), ['package game.world', '{', '    public class TurtleTest', '    {',
+		'        [Ignore("not yet: (slow)")]', '        [Test]', '        public function swims():void {}', '        [Ignore]', '        [Test]', '        public function dives():void {}', ''].join('\n'));
+	assert.equal(run('src,tests').status, 0);
+	assert.equal(readFileSync(path.join(folder, 'out/tests.txt'), 'utf8'), ['game.world.TurtleTest.swims (tests/game/world/TurtleTest.as:7, "not yet: (slow)")',
+		'game.world.TurtleTest.dives (tests/game/world/TurtleTest.as:10)', ''].join('\n'));
+	assert.ok(readFileSync(path.join(folder, 'out/ClientTestsReporter.as'), 'utf8').includes('"tests/game/world/TurtleTest.as:7, \\"not yet: (slow)\\""'));
+});
+
 test('what runs before and after the tests of a class has its file and line too, and its static initialiser that of the class', () => {
 	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), ['package game.world', '{', '    /** A class of tests. */', '    public class TurtleTest', '    {',
 		'        [BeforeClass]', '        public static function begin():void {}', '        [BeforeClass(order=2)]', '        public static function fill():void {}',

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 /**
- * Says how far an interrupted timing run was, and what makes its report; nothing if it had measured nothing.
+ * Says how far an interrupted timing run was, and what makes its report; nothing if it had not begun to measure.
  *
  *   node test/timing/cut.mjs folder
  */
@@ -12,7 +12,11 @@ const [results, start] = ['results.json', 'load.txt'].map((name) => path.join(fo
 // those of the last run may be there still
 if (existsSync(start) && existsSync(results) && statSync(results).mtimeMs >= statSync(start).mtimeMs) {
 	const { entries } = JSON.parse(readFileSync(results, 'utf8'));
-	const { figure, subject } = entries.at(-1);
-	console.log(`The timing run was interrupted after ${entries.length} entries, the last of them of ${figure}, ${subject}.`);
-	console.log(`\`node test/timing/report.mjs ${folder}\` makes a report of them.`);
+	const last = entries.at(-1);
+	if (last) {
+		console.log(`The timing run was interrupted after ${entries.length} entries, the last of them of ${last.figure}, ${last.subject}.`);
+		console.log(`\`node test/timing/report.mjs ${folder}\` makes a report of them.`);
+	} else {
+		console.log('The timing run was interrupted before its first entry.');
+	}
 }

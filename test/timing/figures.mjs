@@ -25,7 +25,7 @@ export function bySubject(entries) {
 
 /** A time with its spread, or why there is none. */
 export function measured(entry) {
-	return entry ? entry.refused ?? `${time(entry.value)} ${spread(entry.value, entry.low, entry.high)}` : '';
+	return entry ? entry.refused ?? `${time(entry.value)} ${entry.samples === 1 ? '(one sample)' : spread(entry.value, entry.low, entry.high)}` : '';
 }
 
 /** What times and multiples are. */
@@ -233,7 +233,8 @@ const crowdHead = (variants) => [['crowd', variants, 'engine', '× sphere', 'JIT
 
 /** A class's name without its package. */
 const shortName = (name) => name.slice(name.lastIndexOf('.') + 1);
-const colliderNames = (entries) => collidersOf(entries).map((name) => shortName(name).replace(/Collider$/, ''));
+// one that is called as the engine's keeps its package
+const colliderNames = (entries) => collidersOf(entries).map((name) => (COLLIDERS.includes(shortName(name)) ? name : shortName(name)).replace(/Collider$/, ''));
 
 /** The entries that a figure shows. */
 export const shownIn = ({ id, of = [id] }, entries) => entries.filter(({ figure }) => of.includes(figure));

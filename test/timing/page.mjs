@@ -122,7 +122,7 @@ const rowClass = (row) => (['  thesis', '  JIT'].includes(row[0]) ? ' class="the
 
 /** A cell's text: what is tightest stands out, a spread stands back. */
 function mark(text) {
-	return escape(text).replace(/^(.*)\*$/, '<strong>$1</strong>').replace(/ ([±−].*)$/, ' <small>$1</small>');
+	return escape(text).replace(/^(.*)\*$/, '<strong>$1</strong>').replace(/ ([±−].*|\(one sample\))$/, ' <small>$1</small>');
 }
 
 /** What to know at a glance. */

@@ -215,6 +215,8 @@ test('what -Dcompare names must be a report, and the run does not begin without'
 	const begin = (...more) => spawnSync(process.execPath, [fileURLToPath(new URL('load.mjs', import.meta.url)), folder, ...more], { encoding: 'utf8' });
 	assert.deepEqual([begin('nothing.json').status, begin('nothing.json').stderr], [64, '-Dcompare: there is no file nothing.json\n']);
 	assert.equal(begin('').status, 0);
+	writeFileSync(text, JSON.stringify({ ...EMPTY, entries, machine: { cores: 2 }, load: { start: 1, end: 9 } }));
+	assert.match(begin(text).stdout, /\nNothing will be compared with .*text\.json: in its run more programs ran than the machine has cores\.\n$/);
 });
 
 test('a busy machine is told', () => {
@@ -370,6 +372,11 @@ test("a researcher's own fitters and colliders stand beside the engine's", async
 	assert.match(html, /"Discs: n\^1\.00"|game\.Discs: n\^1\.00/);
 });
 
+test('a collider of the reader\'s own that is called as one of the engine\'s has its package in the heads', () => {
+	const found = ['BinCollider', 'game.BinCollider', 'game.DiscCollider'].map((name) => timed('scattered', '100 mix', name, 1, { agents: 100, collisions: 0, agrees: true }));
+	assert.match(tables(found), /^game +Bin +.*game\.Bin +Disc /m);
+});
+
 test('a later run takes the places of its entries alone', () => {
 	const later = [timed('fits', 'bear', 'engine', 5), timed('fits', 'cube', 'engine', 1)];
 	const both = merged(entries, later);
@@ -377,6 +384,17 @@ test('a later run takes the places of its entries alone', () => {
 	assert.equal(both[0].value, 5);
 	assert.equal(both[1], entries[1]);
 	assert.equal(both.at(-1).subject, 'cube');
+});
+
+test('one sample has no range, is not compared, and does not take the place of more', () => {
+	const once = timed('tests', 'boxBox', 'engine', 0.0019, { low: 0.0019, high: 0.0019, multiple: 8, multipleLow: 8, multipleHigh: 8, samples: 1 });
+	assert.match(tables([once]), /^boxBox +1\.90 µs \(one sample\) +8\.0×$/m);
+	const often = timed('tests', 'boxBox', 'engine', 0.01, { multiple: 40 });
+	assert.deepEqual(merged([often], [once]), [often]);
+	assert.deepEqual(merged([once], [often]), [often]);
+	const later = { ...once, value: 0.002 };
+	assert.deepEqual(merged([once], [later]), [later]);
+	assert.deepEqual(changes([often], [once]), []);
 });
 
 test('a report that several runs have made says so, with the greatest load', async () => {
@@ -434,4 +452,6 @@ test('an interrupted run says how far it was, if it had measured anything', (t) 
 	assert.equal(cut(), `The timing run was interrupted after ${entries.length} entries, the last of them of scattered, 10000 mix.\n\`node test/timing/report.mjs ${folder}\` makes a report of them.\n`);
 	utimesSync(path.join(folder, 'results.json'), 0, 0);
 	assert.equal(cut(), '');
+	writeFileSync(path.join(folder, 'results.json'), '{"entries": []}');
+	assert.equal(cut(), 'The timing run was interrupted before its first entry.\n');
 });

@@ -23,7 +23,7 @@ const DRIFT = 0.1;
 
 /**
  * What became faster or slower beyond the noise: the ranges of both runs, as multiples of the sphere-sphere test and each
- * wider by the drift between runs, are apart, and the time did not go the other way.
+ * wider by the drift between runs, are apart, and the time did not go the other way. One sample has no range, so it is not compared.
  *
  * @param {object[]} older entries of a report
  * @param {object[]} newer entries of another
@@ -33,7 +33,7 @@ export function changes(older, newer) {
 	const before = new Map(older.map((entry) => [key(entry), entry]));
 	return newer
 		.map((after) => ({ key: key(after), before: before.get(key(after)), after }))
-		.filter(({ before: old, after }) => old?.multiple && after.multiple
+		.filter(({ before: old, after }) => old?.multiple && after.multiple && old.samples > 1 && after.samples > 1
 			&& areApart(rangeOf(old), rangeOf(after)) && (after.multiple - old.multiple) * (after.value - old.value) >= 0)
 		.map((pair) => ({ ...pair, change: pair.after.multiple / pair.before.multiple }))
 		.sort((a, b) => b.change - a.change);
@@ -84,7 +84,7 @@ function engineOf({ figure, variant }) {
 }
 
 /**
- * A report's entries with those of a later run in their places.
+ * A report's entries with those of a later run in their places. One sample does not take the place of more.
  *
  * @param {object[]} older entries of the report
  * @param {object[]} newer entries of the run
@@ -92,5 +92,9 @@ function engineOf({ figure, variant }) {
 export function merged(older, newer) {
 	const later = new Map(newer.map((entry) => [key(entry), entry]));
 	const kept = new Set(older.map(key));
-	return [...older.map((entry) => later.get(key(entry)) ?? entry), ...newer.filter((entry) => !kept.has(key(entry)))];
+	const latest = (entry) => {
+		const found = later.get(key(entry));
+		return !found || found.samples === 1 && entry.samples > 1 ? entry : found;
+	};
+	return [...older.map(latest), ...newer.filter((entry) => !kept.has(key(entry)))];
 }

@@ -254,7 +254,8 @@ package starlogo.blocks
         {
             if (trait == null || !(trait in asker))
             {
-                throw new BlockError(block, "does not know the trait " + BlockChecks.nameOf(trait) + ". Check how it is spelled.");
+                throw new BlockError(block, "does not know the trait " + BlockChecks.nameOf(trait)
+                        + ". Check how it is spelled. An agent has breed, shape, size, heading, x, y and z, and what its class adds.");
             }
             return function(agent:Agent):Boolean
             {

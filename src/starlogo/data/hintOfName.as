@@ -1,8 +1,8 @@
 package starlogo.data
 {
     /**
-     * A hint for an error message about a name that is not known: the names that are. It continues a sentence: it begins with "," or ";". The ES
-     * module has its own version, which tells the name that is probably meant.
+     * A hint for an error message about a name that is not known: the name that is probably meant, or the names that are. It continues a
+     * sentence: it begins with "," or ";". The ES module has its own version.
      *
      * @param name the name that is not known
      * @param names all names that are
@@ -15,6 +15,13 @@ package starlogo.data
         if (names.indexOf(breed) >= 0)
         {
             return "; is new Agent(\"" + breed + "\", \"" + name + "\") meant? The model comes first";
+        }
+        for each (var known:String in names)
+        {
+            if (isProbablyMisspelt(name, known))
+            {
+                return "; is \"" + known + "\" meant?";
+            }
         }
         if (names.length == 0)
         {

@@ -11,8 +11,9 @@ package starlogo.handlers
 
     /**
      * Warns if a breed that new handlers or blocks name is probably misspelled: no agent has it, and agents have a breed of a similar name, or its name is
-     * their shape's. Agents of the breed may still come, so nothing is refused. An agents' breed that a handler names is not what another name means. Of
-     * many such breeds only the first are looked at. The ES module has its own version, the same as that of <code>warnOfBreeds()</code>.
+     * their shape's. Agents of the breed may still come, so nothing is refused. An agents' breed that a handler names is not what another name means,
+     * unless the two differ by case or by a plural's s alone. Of many such breeds only the first are looked at. The ES module has its own
+     * version, the same as that of <code>warnOfBreeds()</code>.
      *
      * @param names the breeds that new handlers of the frame name, or the one that a block names
      * @param agents the frame's agents, not yet checked: one may be null
@@ -47,7 +48,8 @@ package starlogo.handlers
             for (var number:int = 0; number < isThere.length; number++)
             {
                 var breed:String = Breeds.NAMES.nameOf(number);
-                var mayBeMeant:Boolean = isThere[number] && (Breeds.isEnvironment(number) || interests == null || !interests.isNamed(number));
+                var mayBeMeant:Boolean = isThere[number] && (Breeds.isEnvironment(number) || interests == null || !interests.isNamed(number)
+                        || name.toLowerCase().replace(/s$/, "") == breed.toLowerCase().replace(/s$/, ""));
                 if (mayBeMeant && isProbablyMisspelt(name, breed))
                 {
                     return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";

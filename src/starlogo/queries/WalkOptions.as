@@ -13,7 +13,7 @@ package starlogo.queries
         private var _snap:Number = 0.25;
         private var _fall:Number = 0.5;
 
-        /** The agents that can be in its way, and that it can stand on; null for all. */
+        /** The agents that can be in its way, and that it can stand on; null for all. Breeds of it need <code>Collision.TERRAIN</code> for the ground. */
         public var filter:AgentFilter = null;
 
         /**

@@ -221,7 +221,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"count within" needs the name of a breed/, _blocks.countWithin, _turtle, "", 1);
             assertThrows(BlockError, /"count within" needs a distance of 0 or more, but got -1/, _blocks.countWithin, _turtle, "wolves", -1);
             assertThrows(BlockError, /"nearest within" needs a distance of 0 or more, but got NaN/, _blocks.nearestWithin, _turtle, "wolves", NaN);
-            assertThrows(BlockError, /"count with" does not know the trait "colour"/, _blocks.countWith, _turtle, "wolves", "colour", 1);
+            assertThrows(BlockError, /"count with" does not know the trait "colour"\. Check how it is spelled\. An agent has breed, shape, size, /, _blocks.countWith, _turtle, "wolves", "colour", 1);
             assertThrows(BlockError, /"nearest with" does not know the trait nothing/, _blocks.nearestWith, _turtle, "wolves", null, 1);
             assertThrows(BlockError, /"touching\?" needs an agent or a breed, but got nothing/, _blocks.isTouching, _turtle, null);
             assertThrows(BlockError, /"can see\?" needs an agent, but got nothing/, _blocks.canSee, null, _turtle);

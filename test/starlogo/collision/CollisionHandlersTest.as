@@ -120,6 +120,17 @@ package starlogo.collision
             assertTrue(warn(missing("sails") + "; is \"mails\" meant?"));
         }
 
+        [Test]
+        public function aBreedThatAHandlerNamesIsMeantByItsSingular():void
+        {
+            addAll("rowers", "coxes");
+            _collision.onCollision("rowers", "coxes", note("x"));
+            _collision.onCollision("rower", "Coxes", note("x"));
+            _collision.update(_agents);
+            assertFalse(warn(missing("rower") + "; is \"rowers\" meant?"));
+            assertFalse(warn(missing("Coxes") + "; is \"coxes\" meant?"));
+        }
+
         private static function missing(breed:String):String
         {
             return "no agent is of the breed \"" + breed + "\"";

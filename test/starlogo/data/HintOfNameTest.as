@@ -23,8 +23,8 @@ package starlogo.data
         public function theNamesAreTold():void
         {
             assertEquals(", which is empty", hintOfName("beer", new Vector.<String>()));
-            assertEquals("; it has \"bear\", \"Tree\"", hintOfName("beer", new <String>["Tree", "bear"]));
-            assertEquals("; it has \"bear\", \"Tree\"", hintOfName("beer", new <String>["Tree", "bear"], "beers"));
+            assertEquals("; it has \"bear\", \"Tree\"", hintOfName("wolf", new <String>["Tree", "bear"]));
+            assertEquals("; it has \"bear\", \"Tree\"", hintOfName("wolf", new <String>["Tree", "bear"], "beers"));
             assertEquals("; is new Agent(\"bear\", \"monsters\") meant? The model comes first", hintOfName("monsters", new <String>["bear"], "bear"));
             var names:Vector.<String> = new Vector.<String>();
             for (var i:int = 12; i > 0; i--)
@@ -32,6 +32,13 @@ package starlogo.data
                 names.push("m" + (100 + i));
             }
             assertEquals("; it has \"m101\", \"m102\", \"m103\", \"m104\", \"m105\", \"m106\", \"m107\", \"m108\", \"m109\", \"m110\" and 2 more", hintOfName("beer", names));
+        }
+
+        [Test]
+        public function theNameThatIsProbablyMeantIsTold():void
+        {
+            assertEquals("; is \"bear\" meant?", hintOfName("beer", new <String>["Tree", "bear"]));
+            assertEquals("; is \"kite\" meant?", hintOfName("kyte", new <String>["sphere", "kite"], "birds"));
         }
 
         [Test]

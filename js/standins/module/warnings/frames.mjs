@@ -75,7 +75,8 @@ function $warnOfMissing(frames, missing, agents) {
  * Warns of breeds that handlers or a filter name, if no agent has the breed, and agents have one that is called nearly the same. Agents
  * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
  *
- * @param interests the breeds that handlers name: those of agents are not meant by another name. Nothing for a filter
+ * @param interests the breeds that handlers name: those of agents are not meant by another name, but for case or a plural's s. Nothing
+ *     for a filter
  */
 export function $warnOfMissingBreeds(names, agents, interests) {
 	const unchecked = (names ?? []).filter((name) => !/^\*/.test(name) && !($checkedBreeds.get(name) >= Breeds$NAMES.count));
@@ -86,8 +87,12 @@ export function $warnOfMissingBreeds(names, agents, interests) {
 	for (const name of unchecked) $checkedBreeds.set(name, interests || breeds.has(name) ? Infinity : Breeds$NAMES.count);
 	// a few: each is compared with all breeds and agents
 	const missing = new Set(unchecked.filter((name) => !breeds.has(name)));
-	const likely = [...breeds].filter((breed) => !interests?.$isNamed(Breeds$NAMES.knownNumberOf(breed))).concat(...$WORLD_BREEDS.keys());
-	for (const name of [...missing].slice(0, $MOST_HINTS)) $warnOfBreed(name, likely, agents);
+	const isFree = (breed) => !interests?.$isNamed(Breeds$NAMES.knownNumberOf(breed));
+	const stemOf = (name) => name.toLowerCase().replace(/s$/, "");
+	for (const name of [...missing].slice(0, $MOST_HINTS)) {
+		const likely = [...breeds].filter((breed) => isFree(breed) || stemOf(breed) === stemOf(name)).concat(...$WORLD_BREEDS.keys());
+		$warnOfBreed(name, likely, agents);
+	}
 }
 
 /** Warns of breeds that a filter names, as $warnOfMissingBreeds() does, and of "*", which only handlers take. */

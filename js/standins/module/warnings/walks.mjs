@@ -67,7 +67,8 @@ function $countFall(walker, agent, length) {
 	walker.z = agent.z;
 	if (walker.falls !== $LONG_FALL) return;
 	$warn(`${agent} has fallen in ${$LONG_FALL} walks, from z = ${$rounded(walker.top)} to ${$rounded(agent.z)}: nothing stops it. `
-		+ "If it should stand, its ground has to be in the list of queries.update(), which is called once a frame; as large as it should be "
+		+ "If it should stand, its ground has to be in the list of queries.update(), which is called once a frame; among the breeds of the "
+		+ "walk's filter, if that has any; as large as it should be "
 		+ "(a model is one unit wide, unless it is Model.AS_GIVEN or of levelFromObject); and upright (a file's up axis may be \"y\"); "
 		+ "a level that is one model has to be hierarchical", "fall");
 }

@@ -69,6 +69,30 @@ package starlogo.queries
             assertTrue(walker.z + " after " + _footing.pushed, !_footing.stands && 5 - walker.z <= _footing.pushed);
         }
 
+        // Three blocks hold the walker. Between upright walls it would stay for ever.
+        [Test]
+        public function inTheAirWhatWedgesMayLeadUp():void
+        {
+            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(landOf(BuiltInModel.sphere(), BuiltInModel.cube())));
+            var walker:Agent = agentAt("sphere", 0, 0, 5);
+            var blocks:Vector.<Agent> = new <Agent>[agentAt("cube", -0.7, -0.2, 5.2), agentAt("cube", 0.6, -0.9, 4.8), agentAt("cube", 0.6, 0.6, 4.4)];
+            blocks[0].heading = -15;
+            blocks[1].heading = -30;
+            blocks[1].pitch = 30;
+            blocks[2].heading = 30;
+            blocks[2].pitch = 15;
+            blocks[2].size = 2;
+            queries.update(new <Agent>[walker].concat(blocks));
+            _options.fall = 0;
+            for (var i:int = 0; i < 20 && queries.touchesAny(walker); i++)
+            {
+                var low:Number = walker.z;
+                queries.walk(walker, -0.3, 0.4, _options, _footing);
+                assertTrue([i, low, walker.z, _footing.pushed].join(), low - walker.z <= _footing.pushed);
+            }
+            assertTrue(walker.x + ", " + walker.z, !queries.touchesAny(walker) && walker.z > 5);
+        }
+
         [Test]
         public function whatGrowsAndWhatComesPushes():void
         {

@@ -103,12 +103,8 @@ package starlogo.queries.motion
             out.row = -1;
             out.fraction = 1;
             out.startsPenetrating = planes.count > 0;
-            if (out.startsPenetrating)
+            if (out.startsPenetrating && !findCrossedPlane(motion, out))
             {
-                if (findCrossedPlane(motion, out))
-                {
-                    return;
-                }
                 impact = findStoppingImpact(start, motion);
             }
             if (impact != null)

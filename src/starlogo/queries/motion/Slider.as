@@ -57,7 +57,7 @@ package starlogo.queries.motion
                 maxHorizontal:Number = Infinity):MotionResult
         {
             _remaining.begin(motion, maxHorizontal, 0);
-            return run(body, rows, from, motion, minFloorNormalZ);
+            return slideRemaining(body, rows, from, motion, minFloorNormalZ);
         }
 
         /**
@@ -71,11 +71,11 @@ package starlogo.queries.motion
         {
             _vertical.z = -depth;
             _remaining.begin(_vertical, maxHorizontal, Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ);
-            return run(body, body.rows, from, _vertical, 0);
+            return slideRemaining(body, body.rows, from, _vertical, 0);
         }
 
-        // Slides as the remaining motion was begun. The other parameters are those of slide().
-        private function run(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number):MotionResult
+        // Slides along what remains of the motion, which the caller has begun. The parameters are those of slide().
+        private function slideRemaining(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number):MotionResult
         {
             var result:MotionResult = _slid;
             result.wallRow = -1;

@@ -138,9 +138,7 @@ package starlogo.queries.motion
                 pushOutOfDeep(walk, lift);
                 down = _slider.moveVertically(walk.body, walk.place, -walk.maxFloorDistance);
             }
-            _motion.copyFrom(walk.place);
-            _motion.decrementBy(walk.substepStart);
-            walk.pushed = _motion.length;
+            walk.pushed = Vector3D.distance(walk.place, walk.substepStart);
             walk.substepStart.copyFrom(walk.place);
             return _floorFinder.tryStandAtEnd(walk, down);
         }
@@ -200,7 +198,17 @@ package starlogo.queries.motion
                 else
                 {
                     // in the air all surfaces are walls, except of horizontal floors
-                    endSubstep(walk, slideAlong(walk, walk.substepStart, 0, Slider.HORIZONTAL_Z));
+                    var slid:MotionResult = slideAlong(walk, walk.substepStart, 0, Slider.HORIZONTAL_Z);
+                    endSubstep(walk, slid);
+                    if (slid.startsPenetrating && slid.fraction == 0)
+                    {
+                        // what wedges the agent may lead it up, but not down
+                        slid = slideAlong(walk, walk.substepStart, 0, 0);
+                        if (slid.place.z > walk.place.z)
+                        {
+                            endSubstep(walk, slid);
+                        }
+                    }
                 }
             }
             var dx:Number = walk.place.x - startX;
@@ -238,10 +246,7 @@ package starlogo.queries.motion
         private static function endSubstep(walk:WalkState, slid:MotionResult):void
         {
             walk.place.copyFrom(slid.place);
-            if (slid.wallRow >= 0)
-            {
-                walk.wallRow = slid.wallRow;
-            }
+            walk.wallRow = slid.wallRow >= 0 ? slid.wallRow : walk.wallRow;
         }
 
         // Tries a substep again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands. Then the last

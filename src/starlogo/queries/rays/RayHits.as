@@ -41,7 +41,7 @@ package starlogo.queries.rays
             _writer = new HitWriter(seen, RayHit);
         }
 
-        /** Begins without hits. */
+        /** Begins a question without hits. add() gives its collector the rows. */
         public function begin(collector:Collector):void
         {
             _collector = collector;

@@ -138,7 +138,10 @@ package starlogo.queries.motion
                 pushOutOfDeep(walk, lift);
                 down = _slider.moveVertically(walk.body, walk.place, -walk.maxFloorDistance);
             }
-            walk.pushed = Vector3D.distance(walk.place, walk.substepStart);
+            // not Vector3D.distance(), which makes an object in some players
+            _motion.copyFrom(walk.place);
+            _motion.decrementBy(walk.substepStart);
+            walk.pushed = _motion.length;
             walk.substepStart.copyFrom(walk.place);
             return _floorFinder.tryStandAtEnd(walk, down);
         }

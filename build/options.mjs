@@ -46,12 +46,12 @@ const PROBLEMS = {
 	stall: (part) => !(Number(part) > 0 && Number(part) < Infinity) && `seconds above 0 are needed, not "${part}"`,
 	sources: problemOfFolder,
 	libraries: problemOfLibrary,
-	player: (part) => !['ruffle', 'avmshell', ...(only ? [] : ['node'])].includes(part) && `there is no "${part}"; there are ruffle, avmshell${only ? '' : ', node'}`,
+	player: (part) => problemOfName(part, ['ruffle', 'avmshell', ...(only ? [] : ['node'])]),
 	beside: (part) => !['true', 'false'].includes(part) && `true or false is needed, not "${part}"`,
 	figures: (part) => problemOfName(part, namesOf('FIGURES')),
 	models: (part) => problemOfName(part, namesOf('MODELS')),
 	// with folders of the user's sources there may be more
-	colliders: (part) => !given.has('sources') && problemOfName(part, namesOf('COLLIDERS'), `; there are ${namesOf('COLLIDERS')}, and -Dsources= names the folder of your own`),
+	colliders: (part) => !given.has('sources') && problemOfName(part, namesOf('COLLIDERS'), `; there are ${namesOf('COLLIDERS').join(', ')}, and -Dsources= names the folder of your own`),
 	agents: problemOfCount,
 	repetitions: problemOfCount,
 };
@@ -80,7 +80,7 @@ function problemOfLibrary(file) {
 	return statSync(file).isDirectory() && !readdirSync(file).some((name) => name.endsWith('.swc')) && `the folder ${file} has no SWC`;
 }
 
-function problemOfName(name, names, farther = `; there are ${names}`) {
+function problemOfName(name, names, farther = `; there are ${names.join(', ')}`) {
 	return !names.includes(name) && `there is no "${name}"${thereIs(name, names) || farther}`;
 }
 

@@ -114,7 +114,7 @@ package starlogo.models.gltf
                     for (var i:int = 0; i < _jointCount; i++)
                     {
                         var joint:AffineTransform = scene.transformOf(_skin.indexIn("joints", i, "nodes"));
-                        jointMatrices.push(inverses == null ? joint : joint.after(GltfReader.ofColumns(inverses.numbers, 16 * i)));
+                        jointMatrices.push(inverses == null ? joint : joint.after(GltfScene.ofColumns(inverses.numbers, 16 * i)));
                     }
                     jointMatrices.push(scene.transformOf(node));
                     return deformed.skinning(_influences, jointMatrices, _file.budget, _skin.place);

@@ -16,6 +16,7 @@ package starlogo.models.collada
     import starlogo.models.scene.MeshInstance;
     import starlogo.models.scene.Scene;
     import starlogo.models.scene.SceneMesh;
+    import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -137,7 +138,7 @@ package starlogo.models.collada
                 axis.refuseIf(!/^[XYZ]_UP$/.test(named), "expected X_UP, Y_UP or Z_UP, but found \"" + shortened(named) + "\"");
                 data.upAxis = named.charAt(0).toLowerCase();
             }
-            var metres:Number = unit == null ? 1 : TextWords.toNumber(unit.attribute("meter"));
+            var metres:Number = unit == null ? 1 : Decimal.of(unit.attribute("meter"));
             if (scaling == Model.AS_GIVEN && data.transform == null && metres > 0 && metres < Infinity && metres != 1)
             {
                 data.transform = new ModelTransform(null, new Vector3D(metres, metres, metres));
@@ -306,7 +307,7 @@ package starlogo.models.collada
         {
             if (!isPosed)
             {
-                return new StepSequence();
+                return null;
             }
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);

@@ -134,12 +134,12 @@ package starlogo.models.obj
         private function triangulating():Steps
         {
             var triangulator:Triangulator = new Triangulator(_lines.budget, _data.vertices, _data.triangles);
-            return triangulator.addingEach(_polygons.length, function(index:int):Steps
+            return new StepSequence().beginEach(_polygons.length, function(index:int):Steps
                 {
                     _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
                     _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
                     return triangulator.addPolygon(_polygons[index]);
-                });
+                }, Triangulator.POLYGONS_PER_STEP);
         }
     }
 }

@@ -50,9 +50,9 @@ package starlogo.models.scene
         public static function building(scene:Scene):ModelBuilder
         {
             return new ModelBuilder(scene.data, new StepSequence().add(scene).begin(function():Steps
-                {
-                    return scene.adding(scene.data);
-                }));
+                    {
+                        return scene.adding(scene.data);
+                    }));
         }
 
         /** Adds a node, and returns its index. @param parent the node around it; -1 for none, or if that is set later */

@@ -26,7 +26,7 @@ export const BROAD = [
 	'CallsOfGamesTest',
 ];
 
-/** The room of a class: starlogo.models of starlogo.models.gltf.GltfReader. */
+/** The room of a class: starlogo.models of starlogo.models.gltf.GltfMesh. */
 const roomOf = (name) => name.split('.').slice(0, -1).slice(0, 2).join('.');
 
 /** A word that more names of test classes have says nothing of what they test. */

@@ -110,14 +110,15 @@ test('every model of a file passes what a ModelBuilder builds to Model', () => {
 });
 
 test('every format stands in the files of docs/adding.md, "A format"', () => {
-	const isReader = /\bclass \w+ [^{]*\bextends ModelBuilder\b/;
+	// what fills a ModelData: a reader, or a scene whose meshes are added to it
+	const isReader = /\bnew ModelBuilder\(data, new \w+\(|\bclass \w+ extends Scene\b/;
 	const readers = sourcesBelow('src/starlogo/models').filter((file) => isReader.test(codeOf(read(file)))).map(simpleName);
-	for (const known of ['ColladaReader', 'CookedReader', 'GltfReader', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
+	for (const known of ['ColladaScene', 'CookedReader', 'GltfScene', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
 	// CookedLoadingTest damages cooked files
 	const known = ['test/starlogo/models/ModelMutationsTest.as: CookedReader', 'test/fuzz/kinds/files.mjs: CookedReader'];
 	const isThere = (each) => {
 		const [file, reader] = each.split(': ');
-		return new RegExp(`\\b${reader.replace(/Reader$/, 'Model')}\\b`).test(read(file));
+		return new RegExp(`\\b${reader.replace(/(Reader|Scene)$/, 'Model')}\\b`).test(read(file));
 	};
 	assertNoneMissing(missing(readers, filesOf('docs/adding.md', 'A format'), known).filter((each) => !isThere(each)));
 });

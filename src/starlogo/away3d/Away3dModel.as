@@ -26,13 +26,13 @@ package starlogo.away3d
          * Reads a model at once.
          *
          * @param name what agents call the shape, not empty
-         * @param object the source, which is not changed; or, for the engine alone, the ModelBuilder that reads it
+         * @param object the source, which is not changed; or, for the engine alone, the ModelBuilder of its model
          * @throws ModelError if the object is no such source or has no vertices, if its data end early, if a coordinate is not finite,
          * or if the name is empty
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(name, null, null, null, (object as ModelBuilder || new SourceReader(name, object)).build());
+            super(name, null, null, null, (object as ModelBuilder || SourceReader.building(name, object)).build());
         }
 
         /**

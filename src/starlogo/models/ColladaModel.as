@@ -1,8 +1,9 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.collada.ColladaReader;
+    import starlogo.models.collada.ColladaScene;
     import starlogo.models.files.ModelFile;
+    import starlogo.models.scene.Scene;
 
     /**
      * A model from a COLLADA document, version 1.4 or 1.5.
@@ -42,7 +43,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, new ColladaReader(new ModelFile(name, null, text), upAxis, scaling).build());
+            super(name, null, null, null, Scene.building(new ColladaScene(new ModelFile(name, null, text), upAxis, scaling)).build());
         }
 
         /**

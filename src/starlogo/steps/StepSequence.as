@@ -84,24 +84,27 @@ package starlogo.steps
         }
 
         /**
-         * Adds work on things that are numbered from 0, each of which takes several steps. A function creates the work on one thing when the
+         * Adds work on things that are numbered from 0, each of which may take several steps. A function creates the work on one thing when the
          * work on the one before is done. Returns the sequence.
          *
          * @param count the number of things
-         * @param make <code>(index:int):Steps</code>; the work on one of them
+         * @param make <code>(index:int):Steps</code>; the work on one of them; null if nothing of it is left
+         * @param size the number of things that one step may do, if they have no work of their own
          */
-        public function beginEach(count:int, make:Function):StepSequence
+        public function beginEach(count:int, make:Function, size:int = 1):StepSequence
         {
             var next:int = 0;
             var made:Steps = null;
             return repeat(function():Boolean
                 {
-                    if (made == null || !made.step())
+                    var end:int = Math.min(next + size, count);
+                    made = made != null && made.step() ? made : null;
+                    while (made == null && next < end)
                     {
-                        made = next < count ? make(next) : null;
+                        made = make(next);
                         next++;
                     }
-                    return made != null;
+                    return made != null || next < count;
                 });
         }
 

@@ -7,7 +7,8 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import starlogo.models.files.ModelFile;
     import starlogo.models.gltf.GltfFile;
-    import starlogo.models.gltf.GltfReader;
+    import starlogo.models.gltf.GltfScene;
+    import starlogo.models.scene.Scene;
     import starlogo.models.text.Decimal;
     import support.Failures;
     import support.Gltf;
@@ -187,12 +188,12 @@ package starlogo.models
             file.json.bufferViews[1].buffer = 1;
             file.json.buffers[1] = {byteLength: file.binary.length, uri: "a.bin"};
             var fetched:Array = [];
-            var reader:GltfReader = new GltfReader(new GltfFile(new ModelFile("a", file.toTextBytes("a.bin")), function(uri:String):Object
+            var scene:GltfScene = new GltfScene(new GltfFile(new ModelFile("a", file.toTextBytes("a.bin")), function(uri:String):Object
                     {
                         fetched.push(uri);
                         return {bytes: file.binary, problem: null};
                     }), null, Model.FOOTPRINT);
-            assertEquals(12, reader.build().triangles.length);
+            assertEquals(12, Scene.building(scene).build().triangles.length);
             assertEquals("a.bin", fetched.join());
         }
 

@@ -69,6 +69,17 @@ package starlogo.steps
         }
 
         [Test]
+        public function makesSomeThingsInAStepThatHaveNoWorkOfTheirOwn():void
+        {
+            var work:StepSequence = new StepSequence().beginEach(5, function(index:int):Steps
+                {
+                    _log.push("make " + index);
+                    return index == 1 ? new StepSequence().call(note("one")).call(note("two")) : null;
+                }, 2).call(note("end"));
+            assertEquals("make 0,make 1|one|two,make 2,make 3|make 4|end.", trail(work));
+        }
+
+        [Test]
         public function doesNothingWhenNoStepIsLeft():void
         {
             for each (var count:int in [0, 2, 3])

@@ -18,13 +18,13 @@ package starlogo.models.building
     use namespace engine;
 
     /**
-     * The work that makes a model of data. The reader of a file's format extends this class: its steps come first, and fill the data with what the file
-     * says. Then these are checked, turned to z up, and turned, scaled and moved as Model says. A step takes about a millisecond, and throws a ModelError
-     * if the file is wrong.
+     * The work that makes a model of data. If there is a file, the reader of its format comes first, and fills the data with what the file says. Then these
+     * are checked, turned to z up, and turned, scaled and moved as Model says. A step takes about a millisecond, and throws a ModelError if the file is
+     * wrong.
      *
      * @private
      */
-    public class ModelBuilder extends StepSequence implements ModelMaker
+    public final class ModelBuilder extends StepSequence implements ModelMaker
     {
         // Extents in x and y below this fraction of the z extent are rounding errors of the program that placed the vertices.
         private static const LINE_RATIO:Number = 1e-6;
@@ -35,18 +35,23 @@ package starlogo.models.building
         /** What the model is made of: complete when no step is left. The steps change it. Read only. */
         public var data:ModelData;
 
-        // whether the data are read, so that the parts after that are added
-        private var _isRead:Boolean = false;
-
         private var _model:Model = null;
 
         // the box around the vertices, as they are after the steps so far
         private var _bounds:VertexBounds;
 
-        /** @param data what the model is made of; a reader's steps fill it */
-        public function ModelBuilder(data:ModelData)
+        /**
+         * @param data what the model is made of
+         * @param reading the work that fills the data; null if they are complete
+         */
+        public function ModelBuilder(data:ModelData, reading:Steps = null)
         {
             this.data = data;
+            if (reading != null)
+            {
+                add(reading);
+            }
+            call(checkData).call(addParts);
         }
 
         /**
@@ -67,18 +72,6 @@ package starlogo.models.building
             given.scaling = scaling;
             given.transform = transform;
             return new ModelBuilder(given).build();
-        }
-
-        /** @inheritDoc @throws ModelError as Model's constructor, or if the file is wrong */
-        override public function step():Boolean
-        {
-            var hasMore:Boolean = super.step();
-            if (!hasMore && !_isRead)
-            {
-                _isRead = hasMore = true;
-                call(checkData).call(addParts);
-            }
-            return hasMore;
         }
 
         /** Does all steps that are left. Returns the data, which are complete then. */

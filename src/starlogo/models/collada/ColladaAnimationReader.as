@@ -5,7 +5,6 @@ package starlogo.models.collada
     import starlogo.models.animation.FileAnimation;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.shortened;
-    import starlogo.models.scene.Scene;
     import starlogo.models.text.TextWords;
     import starlogo.steps.finish;
 
@@ -32,19 +31,18 @@ package starlogo.models.collada
          *
          * @param name the model's name
          * @param text the document's text
-         * @param upAxis as for ColladaReader
+         * @param upAxis as for ColladaScene
          * @throws ModelError if the document is wrong
          */
         public static function allIn(name:String, text:String, upAxis:Object):Vector.<FileAnimation>
         {
-            var reader:ColladaReader = new ColladaReader(new ModelFile(name, null, text), upAxis, null);
-            var scene:Scene = reader.scene;
+            var scene:ColladaScene = new ColladaScene(new ModelFile(name, null, text), upAxis, null);
             var read:Object = {};
-            finish(reader.xml);
+            finish(scene.xml);
             scene.budget.reset();
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
-            var all:Vector.<ColladaElement> = reader.entriesOf("library_animations", "animation");
-            var clips:Vector.<ColladaElement> = reader.entriesOf("library_animation_clips", "animation_clip");
+            var all:Vector.<ColladaElement> = scene.entriesOf("library_animations", "animation");
+            var clips:Vector.<ColladaElement> = scene.entriesOf("library_animation_clips", "animation_clip");
             for each (var clip:ColladaElement in clips)
             {
                 var parts:Vector.<ColladaElement> = new Vector.<ColladaElement>();

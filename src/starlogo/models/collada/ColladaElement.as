@@ -223,7 +223,7 @@ package starlogo.models.collada
         /** The number that a word of the element's text stands for. @throws ModelError if it is not finite */
         public function toNumber(word:String):Number
         {
-            var number:Number = TextWords.toNumber(word);
+            var number:Number = Decimal.of(word);
             if (!isFinite(number))
             {
                 throw error("expected finite numbers, but found \"" + shortened(word) + "\"");

@@ -14,7 +14,6 @@ package starlogo.models.collada
     internal final class ColladaPrimitive extends StepSequence
     {
         private static const CORNERS_PER_STEP:int = 1500;
-        private static const COPIED_PER_STEP:int = 15000;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
         private var _element:ColladaElement;
@@ -80,24 +79,12 @@ package starlogo.models.collada
         // Adds the steps that read a primitive, after those that read its points.
         private static function addPrimitive(mesh:SceneMesh, element:ColladaElement, pointsOfSources:Object):void
         {
-            var corners:Vector.<uint> = new Vector.<uint>();
             mesh.begin(function():Steps
                 {
                     var target:ColladaElement = positionInput(element).target("source", ["vertices", "source"], element.parent);
                     var points:ColladaAccessor = pointsOf(target, mesh, pointsOfSources);
-                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, new Triangulator(element.budget, mesh.points, corners)));
-                }).call(function():void
-                {
-                    mesh.addPrimitive(element.attribute("material"), corners.length / 3, function(firstVertex:int, triangles:Vector.<uint>):Steps
-                        {
-                            return new StepSequence().slices(corners.length, COPIED_PER_STEP, function(first:int, end:int):void
-                                {
-                                    for (var i:int = first; i < end; i++)
-                                    {
-                                        triangles.push(firstVertex + corners[i]);
-                                    }
-                                });
-                        });
+                    mesh.beginPrimitive(element.attribute("material"));
+                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, new Triangulator(element.budget, mesh.points, mesh.corners)));
                 });
         }
 
@@ -159,26 +146,26 @@ package starlogo.models.collada
             var next:int = 0;
             var vcount:ColladaElement = _element.child("vcount");
             _element.checkCount(sizes.length, "numbers in <vcount>");
-            return new StepSequence().add(_triangulator.addingEach(sizes.length, function(index:int):Steps
-                    {
-                        var first:int = next;
-                        var count:int = vcount.toInteger(sizes[index], 0, corners - first, "the number of a polygon's corners");
-                        next += count;
-                        return count > 2 ? _triangulator.addPolygon(readCorners(indices, first * _stride, count)) : null;
-                    })).call(function():void
+            return new StepSequence().beginEach(sizes.length, function(index:int):Steps
+                {
+                    var first:int = next;
+                    var count:int = vcount.toInteger(sizes[index], 0, corners - first, "the number of a polygon's corners");
+                    next += count;
+                    return count > 2 ? _triangulator.addPolygon(readCorners(indices, first * _stride, count)) : null;
+                }, Triangulator.POLYGONS_PER_STEP).call(function():void
                 {
                     _element.refuseIf(next != corners, "its <vcount> adds up to " + next + " corners, but <p> has " + corners);
                 });
         }
 
-        // Each list of corners is read at once. @param read <code>function(list:ColladaElement):Steps</code>, as for addingEach()
+        // Each list of corners is read at once. @param read <code>function(list:ColladaElement):Steps</code>; adds the triangles, or returns the work on the rest
         private function addLists(lists:Vector.<ColladaElement>, what:String, read:Function):void
         {
             _element.checkCount(lists.length, what);
-            add(_triangulator.addingEach(lists.length, function(index:int):Steps
-                    {
-                        return read(lists[index]);
-                    }));
+            beginEach(lists.length, function(index:int):Steps
+                {
+                    return read(lists[index]);
+                }, Triangulator.POLYGONS_PER_STEP);
         }
 
         // Reads a polygon (p), or one with holes (ph).

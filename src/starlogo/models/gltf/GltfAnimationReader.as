@@ -6,7 +6,7 @@ package starlogo.models.gltf
     import starlogo.steps.finish;
 
     /**
-     * Reads the animations of a glTF file. They move properties of nodes. <code>GltfReader.targetOf()</code> returns a property's target.
+     * Reads the animations of a glTF file. They move properties of nodes. <code>GltfScene.targetOf()</code> returns a property's target.
      *
      * @private
      */
@@ -19,22 +19,22 @@ package starlogo.models.gltf
          * Reads the animations.
          *
          * @param file the file; all its steps must be done
-         * @param upAxis as for GltfReader
+         * @param upAxis as for GltfScene
          * @throws ModelError if one is wrong
          */
         public static function allIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
         {
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
-            var reader:GltfReader = new GltfReader(file, upAxis, null);
+            var scene:GltfScene = new GltfScene(file, upAxis, null);
             for (var i:int = 0; i < file.json.count("animations"); i++)
             {
                 var animation:GltfJson = file.json.element("animations", i);
-                animations.push(new FileAnimation(animation.textOrNull("name") || "", channelsOf(file, animation), reader.scene));
+                animations.push(new FileAnimation(animation.textOrNull("name") || "", channelsOf(file, animation), scene));
             }
             if (animations.length > 0)
             {
                 file.budget.reset();
-                finish(reader.scene);
+                finish(scene);
             }
             return animations;
         }
@@ -54,7 +54,7 @@ package starlogo.models.gltf
                 {
                     target.refuseIf(file.json.rootEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                     var sampler:int = channel.requiredInteger("sampler", animation.count("samplers") - 1);
-                    channels.push(new AnimationChannel(samplerOf(file, animation.element("samplers", sampler), path), GltfReader.targetOf(node, path)));
+                    channels.push(new AnimationChannel(samplerOf(file, animation.element("samplers", sampler), path), GltfScene.targetOf(node, path)));
                 }
             }
             return channels;

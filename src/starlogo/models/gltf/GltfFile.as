@@ -243,7 +243,7 @@ package starlogo.models.gltf
                 });
         }
 
-        // The steps that decode a buffer. Without steps, it is in the binary chunk, in another file, or missing.
+        // The steps that decode a buffer. Null if it is in the binary chunk, in another file, or missing.
         private function readingBuffer(index:int):Steps
         {
             var buffer:GltfJson = json.rootEntry("buffers", index);
@@ -272,7 +272,7 @@ package starlogo.models.gltf
                     _uris.push(uri);
                 }
             }
-            return new StepSequence();
+            return null;
         }
     }
 }

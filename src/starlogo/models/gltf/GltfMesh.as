@@ -84,7 +84,7 @@ package starlogo.models.gltf
                             var deltas:GltfAccessor = weights[target] == 0 ? null : _file.accessorOf(primitive.element("targets", target), "POSITION", "VEC3");
                             if (deltas == null)
                             {
-                                return new StepSequence();
+                                return null;
                             }
                             deltas.requireCount(rest.count);
                             _file.budget.spendNumbers(deltas.numbers.length, primitive.place);
@@ -114,7 +114,7 @@ package starlogo.models.gltf
                     for (var i:int = 0; i < _jointCount; i++)
                     {
                         var joint:AffineTransform = scene.transformOf(_skin.indexIn("joints", i, "nodes"));
-                        jointMatrices.push(inverses == null ? joint : joint.after(GltfReader.ofColumns(inverses.numbers, 16 * i)));
+                        jointMatrices.push(inverses == null ? joint : joint.after(GltfScene.ofColumns(inverses.numbers, 16 * i)));
                     }
                     jointMatrices.push(scene.transformOf(node));
                     return deformed.skinning(_influences, jointMatrices, _file.budget, _skin.place);
@@ -224,8 +224,7 @@ package starlogo.models.gltf
             }
         }
 
-        // Adds the steps that read the indices of a primitive's triangles. A model takes the triangles from the indices. Triangle n of a list has the
-        // corners 3n, 3n+1 and 3n+2.
+        // Adds the steps that read a primitive's triangles, by its indices if it has any. Triangle n of a list has the corners 3n, 3n+1 and 3n+2.
         private function addTriangles(work:StepSequence, mode:int, primitive:GltfJson, firstPoint:int, vertexCount:int):void
         {
             var indices:GltfAccessor = _file.accessorOf(primitive, "indices", "SCALAR");
@@ -236,21 +235,28 @@ package starlogo.models.gltf
             }
             var cornerCount:int = indices == null ? vertexCount : indices.count;
             var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            addPrimitive(String(primitive.indexOrNone("material", "materials")), triangleCount, function(firstVertex:int, triangles:Vector.<uint>):Steps
+            var material:String = String(primitive.indexOrNone("material", "materials"));
+            var into:Vector.<uint> = corners;
+            var start:int;
+            // other primitives may have the same indices
+            _file.budget.spendNumbers(3 * triangleCount, primitive.place);
+            work.call(function():void
                 {
-                    return new StepSequence().slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                    beginPrimitive(material);
+                    start = into.length;
+                    into.length += 3 * triangleCount; // room for all at once
+                }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = 3 * first; i < 3 * end; i++)
+                    {
+                        var corner:int = mode == TRIANGLES ? i : cornerOf(int(i / 3), i % 3, mode == FAN);
+                        var vertex:Number = indices == null ? corner : indices.numbers[corner];
+                        if (vertex >= vertexCount)
                         {
-                            for (var i:int = 3 * first; i < 3 * end; i++)
-                            {
-                                var corner:int = mode == TRIANGLES ? i : cornerOf(int(i / 3), i % 3, mode == FAN);
-                                var vertex:Number = indices == null ? corner : indices.numbers[corner];
-                                if (vertex >= vertexCount)
-                                {
-                                    throw indices.json.error("element " + corner + " names vertex " + vertex + ": " + primitive.place + " has " + vertexCount);
-                                }
-                                triangles.push(firstVertex + firstPoint + int(vertex));
-                            }
-                        });
+                            throw indices.json.error("element " + corner + " names vertex " + vertex + ": " + primitive.place + " has " + vertexCount);
+                        }
+                        into[start + i] = firstPoint + int(vertex);
+                    }
                 });
         }
 

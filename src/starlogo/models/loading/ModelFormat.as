@@ -4,17 +4,18 @@ package starlogo.models.loading
     import starlogo.models.ModelTransform;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
-    import starlogo.models.collada.ColladaReader;
+    import starlogo.models.collada.ColladaScene;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.files.ModelFile;
     import starlogo.models.gltf.GltfFile;
-    import starlogo.models.gltf.GltfReader;
+    import starlogo.models.gltf.GltfScene;
     import starlogo.models.obj.ObjReader;
+    import starlogo.models.scene.Scene;
     import starlogo.models.stl.StlReader;
 
     /**
-     * Detects the format of a file from its content, and makes its reader. If the content does not tell, the file's name does.
+     * Detects the format of a file from its content, and chooses its reader. If the content does not tell, the file's name does.
      *
      * @private
      */
@@ -25,31 +26,31 @@ package starlogo.models.loading
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
         /**
-         * The reader of a file. Decodes a text.
+         * The work that makes the model of a file. Decodes a text.
          *
          * @param file the file
          * @param upAxis the axis that points up, if the format has no rule for it; or a ModelTransform
          * @param scaling as for Model's constructor
          * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function newReader(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelBuilder
+        public static function building(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelBuilder
         {
             var transform:ModelTransform = upAxis as ModelTransform;
             ModelData.requireUpAxis(file.name, upAxis);
             if (file.bytes != null && CookedFile.isCookedFile(file.bytes))
             {
-                return new CookedReader(file.name, file.bytes);
+                return CookedReader.building(file.name, file.bytes);
             }
             switch ((file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file))
             {
                 case "stl":
-                    return new StlReader(file, upAxis, scaling);
+                    return StlReader.building(file, upAxis, scaling);
                 case "dae":
-                    return new ColladaReader(file, transform, scaling);
+                    return Scene.building(new ColladaScene(file, transform, scaling));
                 case "gltf":
-                    return new GltfReader(new GltfFile(file, fetch), transform, scaling);
+                    return Scene.building(new GltfScene(new GltfFile(file, fetch), transform, scaling));
                 default:
-                    return new ObjReader(file, upAxis, scaling);
+                    return ObjReader.building(file, upAxis, scaling);
             }
         }
 

@@ -19,7 +19,8 @@ package starlogo.models.polygons
      */
     public final class Triangulator
     {
-        private static const POLYGONS_PER_STEP:int = 100;
+        /** How many polygons one step may add: see addPolygon(). */
+        public static const POLYGONS_PER_STEP:int = 100;
 
         /** Three indices for each triangle, in the direction of its polygon. */
         public var triangles:Vector.<uint>;
@@ -40,30 +41,7 @@ package starlogo.models.polygons
         }
 
         /**
-         * The work that adds numbered polygons, some in each step. A large polygon takes several steps.
-         *
-         * @param count the number of polygons
-         * @param add <code>function(index:int):Steps</code>; adds one polygon by <code>addPolygon()</code> and returns what that returns, or adds
-         * triangles and returns null
-         */
-        public function addingEach(count:int, add:Function):Steps
-        {
-            var next:int = 0;
-            var rest:Steps = null;
-            return new StepSequence().repeat(function():Boolean
-                {
-                    var end:int = Math.min(next + POLYGONS_PER_STEP, count);
-                    rest = rest != null && rest.step() ? rest : null;
-                    while (rest == null && next < end)
-                    {
-                        rest = add(next++);
-                    }
-                    return rest != null || next < count;
-                });
-        }
-
-        /**
-         * Triangulates a polygon, or begins to do so with a large one.
+         * Triangulates a polygon, or begins to do so with a large one. For StepSequence.beginEach().
          *
          * @param outline the corners of its outline; the vector is not kept
          * @param holes the corners of each hole, in either direction; null for none

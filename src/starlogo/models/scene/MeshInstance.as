@@ -16,6 +16,7 @@ package starlogo.models.scene
     public final class MeshInstance
     {
         private static const POINTS_PER_STEP:int = 3000;
+        private static const CORNERS_PER_STEP:int = 15000;
 
         /** The mesh. Read only. */
         public var mesh:SceneMesh;
@@ -65,23 +66,37 @@ package starlogo.models.scene
             var firstVertex:int = data.vertices.length / 3;
             var firstTriangle:int = data.triangles.length / 3;
             var vertexCount:int = points.length / 3;
-            budget.checkMeshSize(firstVertex + vertexCount, firstTriangle + mesh.triangleCount, _place);
-            if (mesh.triangleCount > 0)
+            var corners:Vector.<uint> = mesh.corners;
+            var triangles:Vector.<uint> = data.triangles;
+            budget.checkMeshSize(firstVertex + vertexCount, firstTriangle + corners.length / 3, _place);
+            if (corners.length > 0)
             {
-                data.meshes.beginRun(data.meshes.addLabel(_name), firstTriangle);
+                addLabels(data, firstTriangle);
             }
             return new StepSequence().slices(vertexCount, POINTS_PER_STEP, function(first:int, end:int):void
                 {
                     refuseModelIf(!toScene.transformPoints(points, first, end, data.vertices, firstVertex + first), data.name,
                             "its vertices are not finite numbers, or are too large at its place", _place);
-                }).beginEach(mesh.triangleCount > 0 ? mesh.primitives.length : 0, function(index:int):Steps
+                }).slices(corners.length, CORNERS_PER_STEP, function(first:int, end:int):void
                 {
-                    data.materials.beginRun(_labelOf(mesh.materials[index], data.materials), data.triangles.length / 3);
-                    return mesh.primitives[index](firstVertex, data.triangles);
+                    for (var i:int = first; i < end; i++)
+                    {
+                        triangles.push(firstVertex + corners[i]);
+                    }
                 }).begin(function():Steps
                 {
-                    return isMirror ? reversingWinding(data.triangles, firstTriangle) : null;
+                    return isMirror ? reversingWinding(triangles, firstTriangle) : null;
                 });
+        }
+
+        // Labels the triangles, which are added next.
+        private function addLabels(data:ModelData, firstTriangle:int):void
+        {
+            data.meshes.beginRun(data.meshes.addLabel(_name), firstTriangle);
+            for (var i:int = 0; i < mesh.materials.length; i++)
+            {
+                data.materials.beginRun(_labelOf(mesh.materials[i], data.materials), firstTriangle + mesh.firstTriangles[i]);
+            }
         }
     }
 }

@@ -1,6 +1,8 @@
 package starlogo.models.scene
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;
@@ -9,12 +11,12 @@ package starlogo.models.scene
     import starlogo.steps.Steps;
 
     /**
-     * The scene of a COLLADA document or a glTF file: nodes, and instances of meshes at nodes. The reader of the format adds the steps that fill it.
-     * Then its meshes are added to a model, at rest, or again and again in the poses of an animation.
+     * The scene of a COLLADA document or a glTF file: nodes, and instances of meshes at nodes. It has a class for each format, whose steps read it. Then its
+     * meshes are added to a model, at rest, or again and again in the poses of an animation.
      *
      * @private
      */
-    public final class Scene extends StepSequence
+    public class Scene extends StepSequence
     {
         /** The model at rest. It has the name, and the up axis when the scene is read. Read only. */
         public var data:ModelData;
@@ -22,16 +24,14 @@ package starlogo.models.scene
         /** What the file may have and cost. Read only. */
         public var budget:FileBudget;
 
-        /** The instances of meshes, in the order of the scene. The reader adds them. */
+        /** The instances of meshes, in the order of the scene. The steps add them. */
         public var instances:Vector.<MeshInstance> = new Vector.<MeshInstance>();
 
-        /** The node around each node; -1 for none. The reader sets it. */
+        /** The node around each node; -1 for none. The steps set it. */
         public var parents:Vector.<int> = new Vector.<int>();
 
         // Numbers of the file that the present pose replaces: all of each target; null at rest.
         private var _pose:Object = null;
-
-        private var _placing:Function;
 
         // the transform of each node in the present pose; null before it is first needed
         private var _transforms:Vector.<AffineTransform> = new Vector.<AffineTransform>();
@@ -39,14 +39,20 @@ package starlogo.models.scene
         /**
          * @param data the model at rest
          * @param budget what the file may have and cost
-         * @param placing <code>function(node:int, around:AffineTransform):AffineTransform</code>; returns the transform from a node to the scene, in the
-         * present pose. Takes that of the node around it
          */
-        public function Scene(data:ModelData, budget:FileBudget, placing:Function)
+        public function Scene(data:ModelData, budget:FileBudget)
         {
             this.data = data;
             this.budget = budget;
-            _placing = placing;
+        }
+
+        /** The work that reads a scene, and makes the model of it. It is static because a page loads it only for models, and not for animations alone. */
+        public static function building(scene:Scene):ModelBuilder
+        {
+            return new ModelBuilder(scene.data, new StepSequence().add(scene).begin(function():Steps
+                    {
+                        return scene.adding(scene.data);
+                    }));
         }
 
         /** Adds a node, and returns its index. @param parent the node around it; -1 for none, or if that is set later */
@@ -73,10 +79,16 @@ package starlogo.models.scene
             while (chain.length > 0)
             {
                 i = chain.pop();
-                transform = _placing(i, transform);
+                transform = transformIn(i, transform);
                 _transforms[i] = transform;
             }
             return transform;
+        }
+
+        /** The transform from a node to the scene, in the present pose. Each format implements it. @param around the transform of the node around it */
+        protected function transformIn(node:int, around:AffineTransform):AffineTransform
+        {
+            throw new IllegalOperationError("a scene does not implement transformIn");
         }
 
         /**

@@ -3,8 +3,7 @@ package starlogo.models.scene
     import starlogo.steps.StepSequence;
 
     /**
-     * A mesh of a scene, in its own space: points, and primitives with triangles. The reader of the format adds the steps that read it. All instances
-     * share it.
+     * A mesh of a scene, in its own space: points, and primitives with triangles. The format adds the steps that read it. All instances share it.
      *
      * @private
      */
@@ -13,14 +12,14 @@ package starlogo.models.scene
         /** x, y, z of each point. */
         public var points:Vector.<Number> = new Vector.<Number>();
 
-        /** The number of triangles. Read only. */
-        public var triangleCount:Number = 0;
+        /** The triangles of all primitives: three points each, by their indices. */
+        public var corners:Vector.<uint> = new Vector.<uint>();
 
-        /** The material of each primitive, as the file calls it: see MeshInstance. Read only. */
+        /** The material of each primitive, as the file calls it: see MeshInstance. */
         public var materials:Vector.<String> = new Vector.<String>();
 
-        /** For each primitive, the function that adds its triangles: see addPrimitive(). Read only. */
-        public var primitives:Vector.<Function> = new Vector.<Function>();
+        /** The first triangle of each primitive. */
+        public var firstTriangles:Vector.<int> = new Vector.<int>();
 
         /** Adds points. They are copied at once if they are the first, because that is quick. */
         public function addPoints(more:Vector.<Number>):void
@@ -36,19 +35,11 @@ package starlogo.models.scene
             }
         }
 
-        /**
-         * Adds a primitive.
-         *
-         * @param material its material, as the file calls it
-         * @param count the number of its triangles
-         * @param adding <code>function(firstVertex:int, triangles:Vector.&lt;uint&gt;):Steps</code>; returns the steps that add its triangles to those of a
-         * model, where the first point of the mesh has that index
-         */
-        public function addPrimitive(material:String, count:int, adding:Function):void
+        /** Begins a primitive, whose triangles are added next. @param material its material, as the file calls it */
+        public function beginPrimitive(material:String):void
         {
-            triangleCount += count;
             materials.push(material);
-            primitives.push(adding);
+            firstTriangles.push(corners.length / 3);
         }
     }
 }

@@ -3,7 +3,8 @@ package starlogo.models.text
     import starlogo.geometry.roundingOfProduct;
 
     /**
-     * Parses a decimal number to the nearest Number, to the same bits on every machine. If the decimal is almost halfway between two Numbers
+     * Parses a decimal number to the nearest Number, to the same bits on every machine. A decimal comma is accepted, because some programs write numbers in
+     * the system's language. If the decimal is almost halfway between two Numbers
      * (within 1e-12 of their distance), the result is one of these two. The players' own functions differ in the last bits if a number has
      * more than fifteen digits.
      *
@@ -22,7 +23,7 @@ package starlogo.models.text
         private static const LARGEST:Number = 1e15;
 
         // Sign, digits, digits after the point, exponent. Each character fits only one part, so a wrong word is found in linear time.
-        private static const PARTS:RegExp = /^([-+]?)(?=\.?\d)(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?$/;
+        private static const PARTS:RegExp = /^([-+]?)(?=[.,]?\d)(\d*)(?:[.,](\d*))?(?:[eE]([-+]?\d+))?$/;
 
         // players search a pattern in longer words slowly
         private static const LONGEST:int = 10000;
@@ -37,7 +38,7 @@ package starlogo.models.text
         /**
          * The number that a word stands for.
          *
-         * @param word such as "1", "-.5" or "2.50e-3"
+         * @param word such as "1", "-.5", "2.50e-3" or "1,5"
          * @return NaN if the word is no number; Infinity if it is too large
          */
         public static function of(word:String):Number

@@ -111,7 +111,7 @@ package starlogo.models.text
         {
             for (var i:int = 0; i < 3; i++)
             {
-                var number:Number = TextWords.toNumber(words[int(first + i)] || "");
+                var number:Number = Decimal.of(words[int(first + i)]);
                 if (!isFinite(number))
                 {
                     throw error("expected a vertex, three finite numbers, but found \"" + shortened(words.slice(first - 1).join(" ")) + "\"");

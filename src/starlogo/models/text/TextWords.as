@@ -93,16 +93,5 @@ package starlogo.models.text
             }
             return at;
         }
-
-        /**
-         * The number that a word stands for, or NaN. A decimal comma is accepted, because some programs write numbers in the system's
-         * language.
-         */
-        public static function toNumber(word:String):Number
-        {
-            var number:Number = Decimal.of(word);
-            var isPlain:Boolean = number == number || word.indexOf(",") < 0 || word.indexOf(".") >= 0;
-            return isPlain ? number : Decimal.of(word.replace(",", "."));
-        }
     }
 }

@@ -33,17 +33,17 @@ package starlogo.models.loading
         private static function checkProgress(bytes:ByteArray, text:String):void
         {
             var file:ModelFile = new ModelFile("a", bytes, text);
-            var reader:ModelBuilder = ModelFormat.newReader(file, "z", "footprint", null);
-            var progress:Array = [reader.progress];
+            var builder:ModelBuilder = ModelFormat.building(file, "z", "footprint", null);
+            var progress:Array = [builder.progress];
             var isLeft:Boolean = true;
             while (isLeft)
             {
-                isLeft = reader.step();
-                progress.push(reader.progress);
-                assertTrue(reader + ": " + progress, progress[progress.length - 1] >= progress[progress.length - 2]);
+                isLeft = builder.step();
+                progress.push(builder.progress);
+                assertTrue(builder + ": " + progress, progress[progress.length - 1] >= progress[progress.length - 2]);
             }
-            assertEquals(String(reader), 0, progress[0]);
-            assertEquals(String(reader), 1, reader.progress);
+            assertEquals(String(builder), 0, progress[0]);
+            assertEquals(String(builder), 1, builder.progress);
         }
 
         private static function binaryStl():ByteArray

@@ -5,6 +5,7 @@ package starlogo.models.polygons
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.models.files.FileBudget;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
     import support.Effort;
@@ -263,7 +264,7 @@ package starlogo.models.polygons
             }
             var triangles:Vector.<uint> = new Vector.<uint>();
             var triangulator:Triangulator = new Triangulator(new FileBudget("polygons", 250000), vertices, triangles);
-            var work:Steps = triangulator.addingEach(1, function(index:int):Steps
+            var work:Steps = new StepSequence().beginEach(1, function(index:int):Steps
                 {
                     return triangulator.addPolygon(corners);
                 });
@@ -432,7 +433,7 @@ package starlogo.models.polygons
         {
             var triangulator:Triangulator = new Triangulator(new FileBudget("polygons", bytes), vertices, triangles);
             var holes:Vector.<Vector.<uint>> = loops.slice(1);
-            finish(triangulator.addingEach(1, function(index:int):Steps
+            finish(new StepSequence().beginEach(1, function(index:int):Steps
                     {
                         return triangulator.addPolygon(loops[0], holes);
                     }));

@@ -44,11 +44,19 @@ package starlogo.models.text
                 assertEquals(large, -Infinity, Decimal.of("-" + large));
             }
             for each (var wrong:String in [null, "", " ", ".", "-", "+", "e5", ".e5", "1e", "1e+", "1e-", "1.2.3", "--1", "1x", "Infinity", "NaN",
-                        "1,5", "10e", "10e+", "1x0", "10.e", "1.234567890123456789e", "1.234567890123456789-", "- 1.2345678901234567", "0x10", "0X1", "-0x10", "+0x1", "0b11", "0o17", "\u00A01", "\f1", "\v1",
+                        "1,2,3", "1,2.3", "1.2,3", ",", "10e", "10e+", "1x0", "10.e", "1.234567890123456789e", "1.234567890123456789-", "- 1.2345678901234567", "0x10", "0X1", "-0x10", "+0x1", "0b11", "0o17", "\u00A01", "\f1", "\v1",
                         "\uFEFF1", "1\u00A0", "1\f2", "0x", "0x1234567890123456", "1_0", "\u0661"])
             {
                 assertTrue(wrong, isNaN(Decimal.of(wrong)));
             }
+        }
+
+        [Test]
+        public function takesADecimalComma():void
+        {
+            assertEquals(2.5, Decimal.of("2,5"));
+            assertEquals(-0.25, Decimal.of("-,25"));
+            assertEquals(Decimal.of("1234567.890123456789e-5"), Decimal.of("1234567,890123456789e-5"));
         }
 
         [Test]

@@ -6,7 +6,6 @@ package starlogo.models.collada
     import starlogo.models.Model;
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
@@ -17,20 +16,21 @@ package starlogo.models.collada
     import starlogo.models.scene.MeshInstance;
     import starlogo.models.scene.Scene;
     import starlogo.models.scene.SceneMesh;
+    import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
-     * Reads a COLLADA document. ColladaModel says which parts. Its steps visit the nodes of the scene, and find the instances of geometries. If there
-     * is no scene, it takes all geometries of the library. Then the Scene adds them to the model.
+     * The scene of a COLLADA document. ColladaModel says which parts are read. The steps visit the nodes, and find the instances of geometries. If the
+     * document has no scene, they take all geometries of the library.
      *
      * <p>An XmlReader makes ColladaElements of the text. The transforms of nodes come from ColladaTransforms. An element that other nodes instantiate is
      * several nodes of the Scene. Each geometry becomes a SceneMesh, with the points of ColladaAccessors and the triangles of ColladaPrimitives.</p>
      *
      * @private
      */
-    public final class ColladaReader extends ModelBuilder
+    public final class ColladaScene extends Scene
     {
         private static const ELEMENTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
@@ -41,9 +41,6 @@ package starlogo.models.collada
 
         /** The steps that read the document's elements. Read only. */
         internal var xml:XmlReader;
-
-        /** The scene. Its steps read the document. Read only. */
-        internal var scene:Scene;
 
         private var _meshes:Object = {}; // by the index of the geometry's element
         private var _skins:Object = {}; // by the index of the skin's element
@@ -61,22 +58,15 @@ package starlogo.models.collada
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          * @param scaling as for Model's constructor; null if the vertices are not normalised
          */
-        public function ColladaReader(file:ModelFile, upAxis:Object, scaling:String)
+        public function ColladaScene(file:ModelFile, upAxis:Object, scaling:String)
         {
-            super(ModelData.forFile(file.name, upAxis, scaling, "y"));
-            var text:String = file.requireText();
-            var budget:FileBudget = new FileBudget(file.name, text.length);
-            xml = new XmlReader(text, budget);
-            scene = new Scene(data, budget, transformOf);
-            scene.add(xml).call(function():void
+            super(ModelData.forFile(file.name, upAxis, scaling, "y"), new FileBudget(file.name, file.requireText().length));
+            xml = new XmlReader(file.requireText(), budget);
+            add(xml).call(function():void
                 {
                     readAsset(upAxis == null, scaling);
                     addScene();
                 }).repeat(visitSome);
-            add(scene).begin(function():Steps
-                {
-                    return scene.adding(data);
-                });
         }
 
         /** The root, when the elements are read. @throws ModelError if it is not COLLADA */
@@ -109,14 +99,14 @@ package starlogo.models.collada
             skin.refuseIf(nodes == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
             if (nodes.length == 1)
             {
-                return scene.transformOf(nodes[0]); // looks for no ancestors, which may be many
+                return transformOf(nodes[0]); // looks for no ancestors, which may be many
             }
             // nodes have the order of the visit, so the lowest ancestor is that of the joint's last node before the skin's, or of the next one
             var before:int = lastAtMost(nodes, skinNode);
             var next:int = Math.min(before + 1, nodes.length - 1);
             var ancestor:int = Math.max(commonAncestor(nodes[before], skinNode), commonAncestor(nodes[next], skinNode));
             var first:int = lastAtMost(nodes, ancestor - 1);
-            return scene.transformOf(nodes[first] < ancestor ? nodes[first + 1] : nodes[first]);
+            return transformOf(nodes[first] < ancestor ? nodes[first + 1] : nodes[first]);
         }
 
         // The lowest node around two nodes, which may be one of these. Nodes come after those around them.
@@ -126,11 +116,11 @@ package starlogo.models.collada
             {
                 if (node > other)
                 {
-                    node = scene.parents[node];
+                    node = parents[node];
                 }
                 else
                 {
-                    other = scene.parents[other];
+                    other = parents[other];
                 }
             }
             return node;
@@ -148,7 +138,7 @@ package starlogo.models.collada
                 axis.refuseIf(!/^[XYZ]_UP$/.test(named), "expected X_UP, Y_UP or Z_UP, but found \"" + shortened(named) + "\"");
                 data.upAxis = named.charAt(0).toLowerCase();
             }
-            var metres:Number = unit == null ? 1 : TextWords.toNumber(unit.attribute("meter"));
+            var metres:Number = unit == null ? 1 : Decimal.of(unit.attribute("meter"));
             if (scaling == Model.AS_GIVEN && data.transform == null && metres > 0 && metres < Infinity && metres != 1)
             {
                 data.transform = new ModelTransform(null, new Vector3D(metres, metres, metres));
@@ -161,7 +151,7 @@ package starlogo.models.collada
             var instance:ColladaElement = shown == null ? null : shown.child("instance_visual_scene");
             if (instance != null)
             {
-                addNode(instance.target("url", ["visual_scene"]), -1, instance);
+                placeNode(instance.target("url", ["visual_scene"]), -1, instance);
                 return;
             }
             for each (var geometry:ColladaElement in entriesOf("library_geometries", "geometry"))
@@ -182,10 +172,10 @@ package starlogo.models.collada
         // Adds a node for an element. The element's children are visited next.
         // @param around the node around it; -1 for none
         // @param placer the element that places it there, for errors
-        private function addNode(element:ColladaElement, around:int, placer:ColladaElement):void
+        private function placeNode(element:ColladaElement, around:int, placer:ColladaElement):void
         {
             var depth:int = 0;
-            for (var outer:int = around; outer >= 0; outer = scene.parents[outer])
+            for (var outer:int = around; outer >= 0; outer = parents[outer])
             {
                 if (_elements[outer] == element)
                 {
@@ -195,7 +185,7 @@ package starlogo.models.collada
             }
             placer.refuseIf(depth > MAX_DEPTH, "nodes are nested more than " + MAX_DEPTH + " deep");
             element.budget.spendElements(ELEMENTS_PER_NODE * (1 + element.children.length), element);
-            var node:int = scene.addNode(around);
+            var node:int = addNode(around);
             _elements.push(element);
             (_nodes[element.index] ||= new Vector.<Number>()).push(node);
             for (var i:int = element.children.length - 1; i >= 0; i--)
@@ -205,12 +195,12 @@ package starlogo.models.collada
             }
         }
 
-        // The transform from a node to the scene, by the transforms in its element. @param around that of the node around it
-        private function transformOf(node:int, around:AffineTransform):AffineTransform
+        /** @inheritDoc By the transforms in its element. */
+        override protected function transformIn(node:int, around:AffineTransform):AffineTransform
         {
             for each (var child:ColladaElement in _elements[node].children)
             {
-                var numbers:Vector.<Number> = scene.posed(String(child.index));
+                var numbers:Vector.<Number> = posed(String(child.index));
                 var local:AffineTransform = numbers == null ? child.toTransform() : ColladaTransform.of(child, numbers);
                 around = local == null ? around : around.after(local);
             }
@@ -229,10 +219,10 @@ package starlogo.models.collada
                     addController(element, node);
                     break;
                 case "instance_node":
-                    addNode(element.target("url", ["node"]), node, element);
+                    placeNode(element.target("url", ["node"]), node, element);
                     break;
                 case "node":
-                    addNode(element, node, element);
+                    placeNode(element, node, element);
                     break;
                 default:
                     // a transform that is wrong is refused, even if nothing is at its node
@@ -281,11 +271,11 @@ package starlogo.models.collada
                     }
                     catch (error:ModelError)
                     {
-                        if (scene.isPosed)
+                        if (isPosed)
                         {
                             throw error;
                         }
-                        deformed.reset(boundTransform(chain, scene.transformOf(node)));
+                        deformed.reset(boundTransform(chain, transformOf(node)));
                     }
                     return false;
                 });
@@ -315,14 +305,14 @@ package starlogo.models.collada
         // At rest a morph is its base shape. The targets of a relative morph are added. Other targets share the shape with the base, whose weight is the rest.
         private function morphing(deformed:DeformedPoints, morph:ColladaElement):Steps
         {
-            if (!scene.isPosed)
+            if (!isPosed)
             {
-                return new StepSequence();
+                return null;
             }
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var numbers:Vector.<Number> = scene.posed(String(list.array.index));
+            var numbers:Vector.<Number> = posed(String(list.array.index));
             var weights:Vector.<Number> = numbers == null ? list.toNumbers() : list.partOf(numbers);
             morph.refuseIf(targets.words.length > list.count, "it has " + targets.words.length + " targets, but " + list.count + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? null : deformed.points.slice();
@@ -354,7 +344,7 @@ package starlogo.models.collada
                 {
                     return labelOf(element, symbol, materials);
                 });
-            scene.instances.push(instance);
+            instances.push(instance);
             return instance;
         }
 

@@ -3,7 +3,6 @@ package starlogo.models.gltf
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.models.animation.normaliseQuaternion;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.scene.DeformedPoints;
@@ -13,19 +12,16 @@ package starlogo.models.gltf
     import starlogo.steps.Steps;
 
     /**
-     * Reads a glTF file. GltfModel says which parts.
+     * The scene of a glTF file. GltfModel says which parts are read.
      *
-     * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. The reader makes the nodes of the Scene, and an instance of a GltfMesh at each
-     * node with a mesh. A GltfMesh has the numbers of GltfAccessors. Then the Scene adds the instances to the model.</p>
+     * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. The steps make the scene's nodes, and an instance of a GltfMesh at each node with
+     * a mesh. A GltfMesh has the numbers of GltfAccessors.</p>
      *
      * @private
      */
-    public final class GltfReader extends ModelBuilder
+    public final class GltfScene extends Scene
     {
         private static const NODES_PER_STEP:int = 200;
-
-        /** The scene. Its steps read the file. Read only. */
-        internal var scene:Scene;
 
         private var _file:GltfFile;
         private var _meshes:Object = {}; // by the indices of the mesh and of a skin
@@ -35,16 +31,11 @@ package starlogo.models.gltf
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor; null if the vertices are not normalised
          */
-        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String)
+        public function GltfScene(file:GltfFile, upAxis:Object, scaling:String)
         {
-            super(ModelData.forFile(file.budget.modelName, upAxis, scaling, "y"));
+            super(ModelData.forFile(file.budget.modelName, upAxis, scaling, "y"), file.budget);
             _file = file;
-            scene = new Scene(data, file.budget, transformOf);
-            scene.add(file).begin(readingNodes).begin(visitingNodes);
-            add(scene).begin(function():Steps
-                {
-                    return scene.adding(data);
-                });
+            add(file).begin(readingNodes).begin(visitingNodes);
         }
 
         /** The target of an animation that moves a property of a node. @param path "translation", "rotation", "scale" or "weights" */
@@ -62,7 +53,7 @@ package starlogo.models.gltf
             }
             for (i = 0; i < count; i++)
             {
-                scene.addNode(-1);
+                addNode(-1);
             }
             return new StepSequence().slices(count, NODES_PER_STEP, findParents);
         }
@@ -76,14 +67,14 @@ package starlogo.models.gltf
                 for (var k:int = 0; k < count; k++)
                 {
                     var child:int = node.indexIn("children", k, "nodes");
-                    node.refuseIf(scene.parents[child] >= 0 || child == i, "nodes[" + child + "] contains itself or has two parents", "children[" + k + "]");
-                    scene.parents[child] = i;
+                    node.refuseIf(parents[child] >= 0 || child == i, "nodes[" + child + "] contains itself or has two parents", "children[" + k + "]");
+                    parents[child] = i;
                 }
             }
         }
 
-        // The transform from a node to the scene. @param around that of the node around it
-        private function transformOf(index:int, around:AffineTransform):AffineTransform
+        /** @inheritDoc */
+        override protected function transformIn(index:int, around:AffineTransform):AffineTransform
         {
             var node:GltfJson = _file.json.rootEntry("nodes", index);
             var m:Vector.<Number> = node.numbers("matrix", 16);
@@ -92,9 +83,9 @@ package starlogo.models.gltf
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
                 return around.after(ofColumns(m, 0));
             }
-            var t:Vector.<Number> = posed(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = posed(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = posed(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = posedNumbers(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = posedNumbers(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = posedNumbers(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             normaliseQuaternion(r);
             var rotation:Placement = new Placement();
             rotation.setQuaternion(r[0], r[1], r[2], r[3]);
@@ -102,9 +93,9 @@ package starlogo.models.gltf
         }
 
         // The numbers of a node's property in the present pose; null if they are those in the file.
-        private function posed(node:int, path:String):Vector.<Number>
+        private function posedNumbers(node:int, path:String):Vector.<Number>
         {
-            return scene.posed(targetOf(node, path));
+            return posed(targetOf(node, path));
         }
 
         /** The transform with 16 numbers, column by column. @param at the index of the first one */
@@ -120,7 +111,7 @@ package starlogo.models.gltf
         private function visitingNodes():Steps
         {
             var pending:Vector.<int> = roots().reverse();
-            var isVisited:Vector.<Boolean> = new Vector.<Boolean>(scene.parents.length);
+            var isVisited:Vector.<Boolean> = new Vector.<Boolean>(parents.length);
             return new StepSequence().repeat(function():Boolean
                 {
                     for (var i:int = 0; i < NODES_PER_STEP && pending.length > 0; i++)
@@ -150,9 +141,9 @@ package starlogo.models.gltf
                     roots.push(sceneJson.indexIn("nodes", i, "nodes"));
                 }
             }
-            for (i = 0; i < scene.parents.length && sceneCount == 0; i++)
+            for (i = 0; i < parents.length && sceneCount == 0; i++)
             {
-                if (scene.parents[i] < 0)
+                if (parents[i] < 0)
                 {
                     roots.push(i);
                 }
@@ -181,13 +172,14 @@ package starlogo.models.gltf
             var skinIndex:int = node.indexOrNone("skin", "skins");
             var skin:GltfJson = skinIndex < 0 ? null : node.rootEntry("skins", skinIndex);
             _file.budget.spendElements(1 + json.count("primitives"), json.place);
+            var scene:Scene = this;
             var mesh:GltfMesh = _meshes[meshIndex + " " + skinIndex] ||= new GltfMesh(_file, json, skin);
             var instance:MeshInstance = new MeshInstance(index, mesh, node.place, node.textOrNull("name") || json.textOrNull("name"), labelOf);
             instance.deforming = !mesh.isDeformed ? null : function(deformed:DeformedPoints):Steps
             {
                 return mesh.deforming(deformed, weightsOf(index, node, json), scene, index);
             };
-            scene.instances.push(instance);
+            instances.push(instance);
         }
 
         // The label of a material is its number in the file.
@@ -199,7 +191,7 @@ package starlogo.models.gltf
         // The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh.
         private function weightsOf(index:int, node:GltfJson, mesh:GltfJson):Vector.<Number>
         {
-            return posed(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
+            return posedNumbers(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
     }
 }

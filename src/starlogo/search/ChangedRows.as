@@ -129,31 +129,45 @@ package starlogo.search
             }
         }
 
-        // Notes that the circles of changed rows are stale. If too many are then, sorts all members before.
+        // Notes that the circles of changed rows are stale. If too many are then, sorts all members, so that only these rows count as stale.
         private function noteStale(input:SearchInput):void
         {
-            if (!areFew(_stale.count + rows.count))
+            updateMembers(input);
+            addStale();
+            if (!areFew(_stale.count))
             {
                 _bins.sortIntoCells(_motions.searchExtents, input.membersOf(_table));
                 forgetStale();
+                addStale();
             }
+            _staleMembers.count = 0;
+            for (var i:int = 0; i < _stale.count; i++)
+            {
+                if (_members.has(_stale.values[i]))
+                {
+                    _staleMembers.add(_stale.values[i]);
+                }
+            }
+        }
+
+        private function updateMembers(input:SearchInput):void
+        {
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.values[i];
                 var isMember:Boolean = input.isMember(row, _table);
                 memberCount += int(isMember) - int(_members.has(row));
                 _members.put(row, isMember);
-                if (_isStale.add(row))
-                {
-                    _stale.add(row);
-                }
             }
-            _staleMembers.count = 0;
-            for (i = 0; i < _stale.count; i++)
+        }
+
+        private function addStale():void
+        {
+            for (var i:int = 0; i < rows.count; i++)
             {
-                if (_members.has(_stale.values[i]))
+                if (_isStale.add(rows.values[i]))
                 {
-                    _staleMembers.add(_stale.values[i]);
+                    _stale.add(rows.values[i]);
                 }
             }
         }

@@ -3,7 +3,7 @@
 // 2. The Bins of the room broadphase find rows that are near each other. If few rows have changed since the last search, ChangedRows finds these rows
 // and what is near them.
 // 3. CandidateTests keeps the pairs that touch, where they are or on their motions. The NarrowPhase has a PairTests for each kind of pairs (pairs/).
-// 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
+// 4. The FoundPairs are put into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
 // Read this file first, then AgentTable, CandidateTests and NarrowPhase. Contacts get their depths from PenetrationSearch (penetration/).
@@ -43,7 +43,6 @@ package starlogo.search
         private var _candidateTests:CandidateTests;
         private var _motions:RowMotions;
         private var _changedRows:ChangedRows;
-        private var _pairOrder:PairOrder = new PairOrder();
 
         // The pairs of the search.
         private var _pairs:FoundPairs;
@@ -72,7 +71,7 @@ package starlogo.search
             table = new AgentTable(narrowPhase.shapeChoice);
             _motions = new RowMotions(table);
             _candidateTests = new CandidateTests(table, narrowPhase, _motions);
-            _changedRows = new ChangedRows(table, _motions, _bins);
+            _changedRows = new ChangedRows(table, _motions, _bins, _candidateTests);
             _pairs = new FoundPairs(table.listed);
             _pairsOfChanged = new FoundPairs(table.listed);
         }
@@ -208,7 +207,7 @@ package starlogo.search
             // these overwrite the list of members
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, table.listed.rows, input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, table.listed.rows, input);
-            _pairOrder.putInOrder(_pairs, _candidateTests.times);
+            _pairs.putInOrder(_motions.anySweeps);
         }
 
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
@@ -216,10 +215,10 @@ package starlogo.search
         private function findOfChanged(input:SearchInput):void
         {
             _candidateTests.begin(input, _pairsOfChanged);
-            _changedRows.findPairs(_candidateTests);
+            _changedRows.findPairs(input);
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW), input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
-            var earlyCount:int = _pairOrder.putInOrder(_pairsOfChanged, _candidateTests.times);
+            var earlyCount:int = _pairsOfChanged.putInOrder(_motions.anySweeps);
             _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
         }
     }

@@ -50,15 +50,12 @@ package starlogo.search
         // If few rows have changed: their pairs, which are put between the others.
         private var _pairsOfChanged:FoundPairs;
 
-        // What the pairs of the last search depend on, besides agents, ground and edges: the pairs of breeds that count, their number, because a game that
-        // calls findCollisionsAmong() may add some, how deep trees are tested, and whether there is a filter.
+        // What the pairs depend on, besides agents, ground and edges: the pairs of breeds that count, their number, because a game that calls
+        // findCollisionsAmong() may add some, how deep trees are tested, and whether there is a filter. The first is null if there are no pairs to update.
         private var _interests:BreedInterests = null;
         private var _interestCount:int = 0;
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
-
-        // Whether _pairs has the pairs of the last search, so that the next one may update them. A search that throws leaves none.
-        private var _hasPairs:Boolean = false;
 
         // The bodies of agents that have changed since the search.
         private var _bodyA:Body = new Body();
@@ -91,12 +88,13 @@ package starlogo.search
             {
                 throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
-            var hadPairs:Boolean = _hasPairs;
-            _hasPairs = false;
+            var canUpdate:Boolean = hasPairsFor(input);
+            // a search that throws leaves no pairs
+            forgetPairs();
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            if (rememberConditions(input) && hadPairs && _changedRows.tryFind(input))
+            if (canUpdate && _changedRows.tryFind(input))
             {
                 findOfChanged(input);
             }
@@ -104,7 +102,7 @@ package starlogo.search
             {
                 findOfAll(input);
             }
-            _hasPairs = true;
+            rememberConditions(input);
             return _pairs;
         }
 
@@ -167,10 +165,10 @@ package starlogo.search
             narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
 
-        /** The table was read without a search: the next search is one of all rows. */
+        /** Lets the next search be one of all rows. Call it if the table was read without a search. */
         public function forgetPairs():void
         {
-            _hasPairs = false;
+            _interests = null;
         }
 
         // Reads the input into the table. The motions are read before the places, because they begin at those of the last search.
@@ -182,18 +180,19 @@ package starlogo.search
             table.readEnvironment(input.ground, input.edges);
         }
 
-        // Remembers what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
-        private function rememberConditions(input:SearchInput):Boolean
+        // Whether there are pairs to update: those of the last search, if it depended on the same as this one, besides agents, ground and edges.
+        private function hasPairsFor(input:SearchInput):Boolean
         {
-            var interests:BreedInterests = input.interests;
-            var depth:int = narrowPhase.treeLimits.defaultDepth;
-            var isFiltered:Boolean = input.admitted != null;
-            var areSame:Boolean = interests === _interests && interests.pairCount == _interestCount && depth == _depth && isFiltered == _isFiltered;
-            _interests = interests;
-            _interestCount = interests.pairCount;
-            _depth = depth;
-            _isFiltered = isFiltered;
-            return areSame;
+            return input.interests === _interests && input.interests.pairCount == _interestCount && narrowPhase.treeLimits.defaultDepth == _depth
+                && (input.admitted != null) == _isFiltered;
+        }
+
+        private function rememberConditions(input:SearchInput):void
+        {
+            _interests = input.interests;
+            _interestCount = input.interests.pairCount;
+            _depth = narrowPhase.treeLimits.defaultDepth;
+            _isFiltered = input.admitted != null;
         }
 
         // Finds the pairs of all members.

@@ -45,7 +45,7 @@ package starlogo.search
 
         // While pairs are put into order: the pairs in their order so far, by the indices at which they were found; and another list, for a step of the sort.
         private var _inOrder:SortableIntList = new SortableIntList();
-        private var _other:Vector.<int> = new Vector.<int>();
+        private var _otherOrder:Vector.<int> = new Vector.<int>();
 
         // By list index: where the next pair goes whose row on a side has the index, in a counting sort.
         private var _next:Vector.<int> = new Vector.<int>();
@@ -117,8 +117,8 @@ package starlogo.search
                 order[i] = i;
             }
             // pairs whose rows on a side have the same index keep their order
-            scatter(1, order, _other);
-            scatter(0, _other, order);
+            scatter(1, order, _otherOrder);
+            scatter(0, _otherOrder, order);
             var earlyCount:int = anySweeps ? sortByTimes() : 0;
             reorder(order);
             return earlyCount;

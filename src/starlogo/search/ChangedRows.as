@@ -179,7 +179,7 @@ package starlogo.search
             }
         }
 
-        // Adds the changed rows to the stale ones. If these are too many, sorts all members before, so that no other rows are stale.
+        // Adds the changed rows to the stale ones. If these are too many, sorts all members anew, so that no other rows are stale.
         private function noteStale(input:SearchInput):void
         {
             addStale();

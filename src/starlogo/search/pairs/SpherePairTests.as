@@ -151,8 +151,10 @@ package starlogo.search.pairs
             var second:Body = areSwapped ? a : b;
             readCenters(first, second, RelativeMotion.NONE);
             // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth leaves the gap in place
-            _centers.radiusA = Sphere(first.worldStructure()).radius;
-            _centers.radiusB = Sphere(second.worldStructure()).radius;
+            var sphereA:Sphere = first.worldStructure() as Sphere;
+            var sphereB:Sphere = second.worldStructure() as Sphere;
+            _centers.radiusA = sphereA.radius;
+            _centers.radiusB = sphereB.radius;
             out.setFromGap(_centers);
             if (areSwapped)
             {

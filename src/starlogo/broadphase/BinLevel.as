@@ -103,6 +103,12 @@ package starlogo.broadphase
             return count > 0;
         }
 
+        /** The coarser one of this level and another. */
+        public function coarserOf(other:BinLevel):BinLevel
+        {
+            return other.width > width ? other : this;
+        }
+
         /** The column of cells at an x, or the line of cells at a y. */
         public function cellIndexAt(coordinate:Number):int
         {

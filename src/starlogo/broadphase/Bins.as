@@ -102,11 +102,10 @@ package starlogo.broadphase
                 var level:BinLevel = _levels[i];
                 if (level.hasBuckets)
                 {
-                    var coarser:BinLevel = own.width > level.width ? own : level;
-                    var found:int = keepEach(collectNear(slot, own, level, coarser), leftOut, extents.x.length);
+                    var found:int = keepEach(collectNear(slot, own, level), leftOut, extents.x.length);
                     if (found > 0)
                     {
-                        sink.onCandidates(row, _candidates, found, coarser);
+                        sink.onCandidates(row, _candidates, found, level.coarserOf(own));
                     }
                 }
             }
@@ -329,7 +328,7 @@ package starlogo.broadphase
             var last:int = _starts[level.endBucket];
             for (var slot:int = _starts[level.firstBucket]; slot < last; slot++)
             {
-                var found:int = collectNear(slot, level, coarser, coarser);
+                var found:int = collectNear(slot, level, coarser);
                 if (found > 0)
                 {
                     sink.onCandidates(_rows[slot], _candidates, found, coarser);
@@ -339,8 +338,9 @@ package starlogo.broadphase
 
         // Makes the members of a level that are near the circle in a slot the candidates, and returns how many they are. Those of a finer level than the
         // circle's own may come more than once. Of a coarser level, a circle meets at most three cells in each of three lines.
-        private function collectNear(slot:int, own:BinLevel, level:BinLevel, coarser:BinLevel):int
+        private function collectNear(slot:int, own:BinLevel, level:BinLevel):int
         {
+            var coarser:BinLevel = level.coarserOf(own);
             var distance:Number = own.width / 2 + level.width / 2 + coarser.slack;
             var starts:Vector.<int> = _starts;
             var x:Number = _xs[slot];

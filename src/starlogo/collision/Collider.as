@@ -131,8 +131,8 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var inSearch:CollisionSearch = search;
-            var step:int = stepOfOwner;
-            if (step != UNUSED && step != SEARCHING)
+            var state:int = stateOfOwner;
+            if (state != UNUSED && state != SEARCHING)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
                 // searches it is no call of the game's: a BaseCollider around this collider makes it
@@ -141,7 +141,7 @@ package starlogo.collision
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.begin(agents, interests || BreedInterests.ALL, null, null, null);
-            if (step == SEARCHING)
+            if (state == SEARCHING)
             {
                 _input.takeFilterOf(_owner.frameInput);
             }
@@ -179,7 +179,7 @@ package starlogo.collision
         /** @private As contactOf, in one of the collider's searches. */
         engine function contactIn(inSearch:CollisionSearch, collider:Agent, collidee:Agent, contact:Contact):Contact
         {
-            if (stepOfOwner != HANDLING)
+            if (stateOfOwner != HANDLING)
             {
                 inSearch.table.refreshEnvironment();
             }
@@ -197,7 +197,7 @@ package starlogo.collision
          */
         engine function attachTo(owner:Collision):void
         {
-            if (stepOfOwner == UNUSED)
+            if (stateOfOwner == UNUSED)
             {
                 forgetMotions();
             }
@@ -224,16 +224,16 @@ package starlogo.collision
         }
 
         // What the last owner does with the collider. It is the owner unless that is UNUSED.
-        private function get stepOfOwner():int
+        private function get stateOfOwner():int
         {
-            return _owner == null ? UNUSED : _owner.stepWith(this);
+            return _owner == null ? UNUSED : _owner.stateWith(this);
         }
 
         private function find(inSearch:CollisionSearch, input:SearchInput):FoundPairs
         {
             var start:Number = getTimer();
             var pairs:FoundPairs = inSearch.find(input);
-            if (stepOfOwner != HANDLING)
+            if (stateOfOwner != HANDLING)
             {
                 contactSearch = inSearch;
             }

@@ -98,7 +98,7 @@ package starlogo.collision
 
         // The one of the frame under way, or null; and what the frame does with it: Collider.IDLE, SEARCHING or HANDLING.
         private var _frameSystem:BaseCollider = null;
-        private var _frameStep:int = Collider.IDLE;
+        private var _frameState:int = Collider.IDLE;
 
         // The heights that handlers see, even if they change the ground; null if none run, or without ground. The edges never change.
         private var _heldGround:HeightGrid = null;
@@ -147,11 +147,11 @@ package starlogo.collision
         }
 
         /** @private What it does with a collider: Collider.UNUSED, IDLE, SEARCHING or HANDLING. */
-        engine function stepWith(collider:Collider):int
+        engine function stateWith(collider:Collider):int
         {
             if (collider === systemOfFrame.innerCollider)
             {
-                return _frameStep;
+                return _frameState;
             }
             return collider === _system.innerCollider ? Collider.IDLE : Collider.UNUSED;
         }
@@ -304,7 +304,7 @@ package starlogo.collision
             finally
             {
                 _dispatcher.endFrame();
-                _frameStep = Collider.IDLE;
+                _frameState = Collider.IDLE;
                 _frameSystem = null;
                 if (_heldGround != null)
                 {
@@ -387,9 +387,9 @@ package starlogo.collision
             // after the filter, which may have called reset(). A handler may call it too, and then the frame goes on with the one before
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.search = null;
-            _frameStep = Collider.SEARCHING;
+            _frameState = Collider.SEARCHING;
             var pairs:FoundPairs = system.findPairs(frameInput, _pairReader, _statistics);
-            _frameStep = Collider.HANDLING;
+            _frameState = Collider.HANDLING;
             lastFrame.agents = copyAgents(frameInput.agents, lastFrame.agents);
             if (frameInput.ground != null)
             {

@@ -42,6 +42,11 @@ package starlogo.handlers
                 missing.push(names[i]);
             }
         }
+        // a name without case, and without a plural's s
+        var stemOf:Function = function(name:String):String
+        {
+            return name.toLowerCase().replace(/s$/, "");
+        };
         // what may be meant by a breed: one of a similar name, or the shape of that name; null if there is neither
         var hintFor:Function = function(name:String):String
         {
@@ -49,7 +54,7 @@ package starlogo.handlers
             {
                 var breed:String = Breeds.NAMES.nameOf(number);
                 var mayBeMeant:Boolean = isThere[number] && (Breeds.isEnvironment(number) || interests == null || !interests.isNamed(number)
-                        || name.toLowerCase().replace(/s$/, "") == breed.toLowerCase().replace(/s$/, ""));
+                        || stemOf(name) == stemOf(breed));
                 if (mayBeMeant && isProbablyMisspelt(name, breed))
                 {
                     return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";

@@ -29,9 +29,6 @@ package starlogo.search
         private var _interests:BreedInterests = null;
         private var _out:FoundPairs = null;
 
-        // By pair, as they are found: the time of the touch.
-        private var _times:Vector.<Number> = new Vector.<Number>();
-
         // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
 
@@ -53,12 +50,6 @@ package starlogo.search
             out.count = 0;
             _interests = input.interests.includesAllOfAgents() ? null : input.interests;
             _out = out;
-        }
-
-        /** By pair, as they were found: the time of the touch; null if no agent sweeps. */
-        public function get times():Vector.<Number>
-        {
-            return _motions.anySweeps ? _times : null;
         }
 
         /** @inheritDoc */
@@ -179,7 +170,7 @@ package starlogo.search
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    _times[int(_out.count + kept)] = _motion.time;
+                    _out.times[int(_out.count + kept)] = _motion.time;
                     kept++;
                 }
             }

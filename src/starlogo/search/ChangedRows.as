@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Extents;
     import starlogo.broadphase.PairSink;
     import starlogo.data.IntList;
     import starlogo.data.IntSet;
@@ -37,28 +38,29 @@ package starlogo.search
         // They have sorted all members, in this search or in an earlier one.
         private var _bins:Bins;
 
+        // Takes the pairs.
+        private var _candidateTests:CandidateTests;
+
         // The rows of the members.
         private var _members:IntSet = new IntSet();
 
-        // The rows whose circles in the bins are stale, because they have changed since; the members among them, and the bins that find their pairs.
-        private var _stale:IntList = new IntList();
-        private var _staleMembers:IntList = new IntList();
+        // The rows that have changed since the bins sorted all members, as a list and as a set. Other bins sort the members among them in each search.
+        private var _staleRows:IntList = new IntList();
         private var _isStale:IntSet = new IntSet();
-        private var _binsOfStale:Bins = new Bins();
-
-        // Takes the pairs of a search.
-        private var _sink:PairSink = null;
+        private var _binsOfStaleRows:Bins = new Bins();
 
         /**
          * @param table has the rows
          * @param motions those of the rows
          * @param bins those of the searches of all rows
+         * @param candidateTests takes the pairs
          */
-        public function ChangedRows(table:AgentTable, motions:RowMotions, bins:Bins)
+        public function ChangedRows(table:AgentTable, motions:RowMotions, bins:Bins, candidateTests:CandidateTests)
         {
             _table = table;
             _motions = motions;
             _bins = bins;
+            _candidateTests = candidateTests;
         }
 
         /** Begins with the members of a search of all rows, which the bins have sorted. */
@@ -75,7 +77,7 @@ package starlogo.search
 
         private function forgetStale():void
         {
-            _stale.count = 0;
+            _staleRows.count = 0;
             _isStale.clear(_table.listed.rowCapacity);
         }
 
@@ -91,16 +93,7 @@ package starlogo.search
                 return false;
             }
             findRows(input);
-            if (!areFew(rows.count))
-            {
-                return false;
-            }
-            if (rows.count > 0)
-            {
-                _motions.findExtents(rows);
-                noteStale(input);
-            }
-            return true;
+            return areFew(rows.count);
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -129,53 +122,26 @@ package starlogo.search
             }
         }
 
-        // Notes that the circles of changed rows are stale. If too many are then, sorts all members before.
-        private function noteStale(input:SearchInput):void
+        /** Finds the members near the changed ones, and passes each pair to the tests once. */
+        public function findPairs(input:SearchInput):void
         {
-            if (!areFew(_stale.count + rows.count))
+            if (rows.count == 0)
             {
-                _bins.sortIntoCells(_motions.searchExtents, input.membersOf(_table));
-                forgetStale();
+                return;
             }
-            for (var i:int = 0; i < rows.count; i++)
+            var extents:Extents = _motions.searchExtents;
+            _motions.findExtents(rows);
+            updateMembers(input);
+            noteStale(input);
+            var members:IntList = input.membersAmong(rows, _table);
+            for (var i:int = 0; i < members.count; i++)
             {
-                var row:int = rows.values[i];
-                var isMember:Boolean = input.isMember(row, _table);
-                memberCount += int(isMember) - int(_members.has(row));
-                _members.put(row, isMember);
-                if (_isStale.add(row))
-                {
-                    _stale.add(row);
-                }
+                _bins.findNear(members.values[i], extents, _isStale, _candidateTests);
             }
-            _staleMembers.count = 0;
-            for (i = 0; i < _stale.count; i++)
-            {
-                if (_members.has(_stale.values[i]))
-                {
-                    _staleMembers.add(_stale.values[i]);
-                }
-            }
+            _binsOfStaleRows.findPairs(extents, input.membersAmong(_staleRows, _table), this);
         }
 
-        /** Finds the members near the changed ones, as the bins do for all. Each pair is passed to the sink once. */
-        public function findPairs(sink:PairSink):void
-        {
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                if (_members.has(rows.values[i]))
-                {
-                    _bins.findNear(rows.values[i], _motions.searchExtents, _isStale, sink);
-                }
-            }
-            if (rows.count > 0)
-            {
-                _sink = sink;
-                _binsOfStale.findPairs(_motions.searchExtents, _staleMembers, this);
-            }
-        }
-
-        /** Takes pairs of stale rows, and passes on those of which one row has changed. @inheritDoc */
+        /** Takes pairs of stale rows, and passes on those of which one has changed. @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
             if (!invalidRows.has(row))
@@ -184,7 +150,7 @@ package starlogo.search
             }
             if (count > 0)
             {
-                _sink.onCandidates(row, others, count, level);
+                _candidateTests.onCandidates(row, others, count, level);
             }
         }
 
@@ -200,6 +166,40 @@ package starlogo.search
                 }
             }
             return kept;
+        }
+
+        private function updateMembers(input:SearchInput):void
+        {
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                var row:int = rows.values[i];
+                var isMember:Boolean = input.isMember(row, _table);
+                memberCount += int(isMember) - int(_members.has(row));
+                _members.put(row, isMember);
+            }
+        }
+
+        // Adds the changed rows to the stale ones. If these are too many, sorts all members anew, so that no other rows are stale.
+        private function noteStale(input:SearchInput):void
+        {
+            addStale();
+            if (!areFew(_staleRows.count))
+            {
+                _bins.sortIntoCells(_motions.searchExtents, input.membersOf(_table));
+                forgetStale();
+                addStale();
+            }
+        }
+
+        private function addStale():void
+        {
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                if (_isStale.add(rows.values[i]))
+                {
+                    _staleRows.add(rows.values[i]);
+                }
+            }
         }
 
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */

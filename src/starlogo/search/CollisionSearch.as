@@ -3,7 +3,7 @@
 // 2. The Bins of the room broadphase find rows that are near each other. If few rows have changed since the last search, ChangedRows finds these rows
 // and what is near them.
 // 3. CandidateTests keeps the pairs that touch, where they are or on their motions. The NarrowPhase has a PairTests for each kind of pairs (pairs/).
-// 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
+// 4. The FoundPairs are put into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
 // Read this file first, then AgentTable, CandidateTests and NarrowPhase. Contacts get their depths from PenetrationSearch (penetration/).
@@ -43,7 +43,6 @@ package starlogo.search
         private var _candidateTests:CandidateTests;
         private var _motions:RowMotions;
         private var _changedRows:ChangedRows;
-        private var _pairOrder:PairOrder = new PairOrder();
 
         // The pairs of the search.
         private var _pairs:FoundPairs;
@@ -51,15 +50,12 @@ package starlogo.search
         // If few rows have changed: their pairs, which are put between the others.
         private var _pairsOfChanged:FoundPairs;
 
-        // What the pairs of the last search depend on, besides agents, ground and edges: the pairs of breeds that count, their number, because a game that
-        // calls findCollisionsAmong() may add some, how deep trees are tested, and whether there is a filter.
+        // What the pairs depend on, besides agents, ground and edges: the pairs of breeds that count, their number, because a game that calls
+        // findCollisionsAmong() may add some, how deep trees are tested, and whether there is a filter. The first is null if there are no pairs to update.
         private var _interests:BreedInterests = null;
         private var _interestCount:int = 0;
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
-
-        // Whether _pairs has the pairs of the last search, so that the next one may update them. A search that throws leaves none.
-        private var _hasPairs:Boolean = false;
 
         // The bodies of agents that have changed since the search.
         private var _bodyA:Body = new Body();
@@ -72,7 +68,7 @@ package starlogo.search
             table = new AgentTable(narrowPhase.shapeChoice);
             _motions = new RowMotions(table);
             _candidateTests = new CandidateTests(table, narrowPhase, _motions);
-            _changedRows = new ChangedRows(table, _motions, _bins);
+            _changedRows = new ChangedRows(table, _motions, _bins, _candidateTests);
             _pairs = new FoundPairs(table.listed);
             _pairsOfChanged = new FoundPairs(table.listed);
         }
@@ -92,12 +88,13 @@ package starlogo.search
             {
                 throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
-            var hadPairs:Boolean = _hasPairs;
-            _hasPairs = false;
+            var canUpdate:Boolean = hasPairsFor(input);
+            // a search that throws leaves no pairs
+            forgetPairs();
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            if (rememberConditions(input) && hadPairs && _changedRows.tryFind(input))
+            if (canUpdate && _changedRows.tryFind(input))
             {
                 findOfChanged(input);
             }
@@ -105,7 +102,7 @@ package starlogo.search
             {
                 findOfAll(input);
             }
-            _hasPairs = true;
+            rememberConditions(input);
             return _pairs;
         }
 
@@ -168,10 +165,10 @@ package starlogo.search
             narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
 
-        /** The table was read without a search: the next search is one of all rows. */
+        /** Lets the next search be one of all rows. Call it if the table was read without a search. */
         public function forgetPairs():void
         {
-            _hasPairs = false;
+            _interests = null;
         }
 
         // Reads the input into the table. The motions are read before the places, because they begin at those of the last search.
@@ -183,18 +180,19 @@ package starlogo.search
             table.readEnvironment(input.ground, input.edges);
         }
 
-        // Remembers what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
-        private function rememberConditions(input:SearchInput):Boolean
+        // Whether there are pairs to update: those of the last search, if it depended on the same as this one, besides agents, ground and edges.
+        private function hasPairsFor(input:SearchInput):Boolean
         {
-            var interests:BreedInterests = input.interests;
-            var depth:int = narrowPhase.treeLimits.defaultDepth;
-            var isFiltered:Boolean = input.admitted != null;
-            var areSame:Boolean = interests === _interests && interests.pairCount == _interestCount && depth == _depth && isFiltered == _isFiltered;
-            _interests = interests;
-            _interestCount = interests.pairCount;
-            _depth = depth;
-            _isFiltered = isFiltered;
-            return areSame;
+            return input.interests === _interests && input.interests.pairCount == _interestCount && narrowPhase.treeLimits.defaultDepth == _depth
+                && (input.admitted != null) == _isFiltered;
+        }
+
+        private function rememberConditions(input:SearchInput):void
+        {
+            _interests = input.interests;
+            _interestCount = input.interests.pairCount;
+            _depth = narrowPhase.treeLimits.defaultDepth;
+            _isFiltered = input.admitted != null;
         }
 
         // Finds the pairs of all members.
@@ -208,7 +206,7 @@ package starlogo.search
             // these overwrite the list of members
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, table.listed.rows, input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, table.listed.rows, input);
-            _pairOrder.putInOrder(_pairs, _candidateTests.times);
+            _pairs.putInOrder(_motions.anySweeps);
         }
 
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
@@ -216,10 +214,10 @@ package starlogo.search
         private function findOfChanged(input:SearchInput):void
         {
             _candidateTests.begin(input, _pairsOfChanged);
-            _changedRows.findPairs(_candidateTests);
+            _changedRows.findPairs(input);
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW), input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
-            var earlyCount:int = _pairOrder.putInOrder(_pairsOfChanged, _candidateTests.times);
+            var earlyCount:int = _pairsOfChanged.putInOrder(_motions.anySweeps);
             _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
         }
     }

@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.data.IntSet;
+    import starlogo.data.SortableIntList;
     import starlogo.data.makeRoom;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
@@ -13,8 +14,8 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs come by their times, and pairs of the same
      * time in the order of the list. The pairs of a collision system that is not the engine's come in its own order.
      *
-     * <p>Tests add pairs row by row, and PairOrder puts them into order. If few rows have changed since the last search, their pairs are put between
-     * the others (<code>replacePairsOf()</code>).</p>
+     * <p>Tests add pairs row by row, and <code>putInOrder()</code> sorts them. If few rows have changed since the last search, their pairs are put
+     * between the others (<code>replacePairsOf()</code>).</p>
      *
      * @private
      */
@@ -35,9 +36,19 @@ package starlogo.search
         /** By pair: the index of its touch, which the TouchTracker writes, or NO_TOUCH. Pairs that are kept for the next search keep it. */
         public var touchIndices:Vector.<int> = new Vector.<int>();
 
+        /** By pair: the time of the touch, until <code>putInOrder()</code>. CandidateTests writes it if an agent sweeps. */
+        internal var times:Vector.<Number> = new Vector.<Number>();
+
         // The back buffers of rows and touchIndices: other pairs, or the pairs in another order, are written here before swapBuffers().
         private var _backRows:Vector.<int> = new Vector.<int>();
         private var _backTouchIndices:Vector.<int> = new Vector.<int>();
+
+        // While pairs are put into order: the pairs in their order so far, by the indices at which they were found; and another list, for a step of the sort.
+        private var _inOrder:SortableIntList = new SortableIntList();
+        private var _otherOrder:Vector.<int> = new Vector.<int>();
+
+        // By list index: where the next pair goes whose row on a side has the index, in a counting sort.
+        private var _next:Vector.<int> = new Vector.<int>();
 
         /** @param listed has the agent of each row */
         public function FoundPairs(listed:ListedAgents)
@@ -92,8 +103,90 @@ package starlogo.search
             count = kept + added;
         }
 
-        /** Puts pairs that were all found anew into another order. They have no touches then. @param order by the new index: the present one */
-        internal function reorder(order:Vector.<int>):void
+        /**
+         * Puts pairs that were all found anew into order. They have no touches then.
+         *
+         * @param anySweeps whether an agent sweeps, so that the pairs have times
+         * @return how many pairs touch before the end of their motions. They come first
+         */
+        internal function putInOrder(anySweeps:Boolean):int
+        {
+            var order:Vector.<int> = _inOrder.values;
+            for (var i:int = 0; i < count; i++)
+            {
+                order[i] = i;
+            }
+            // pairs whose rows on a side have the same index keep their order
+            scatter(1, order, _otherOrder);
+            scatter(0, _otherOrder, order);
+            var earlyCount:int = anySweeps ? sortByTimes() : 0;
+            reorder(order);
+            return earlyCount;
+        }
+
+        // Sorts by times. Pairs of the same time keep their order. Returns how many pairs touch before the end of their motions.
+        private function sortByTimes():int
+        {
+            var earlyCount:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var time:Number = times[_inOrder.values[i]];
+                _inOrder.keys[i] = time;
+                if (time < 1)
+                {
+                    earlyCount++;
+                }
+            }
+            _inOrder.sortFirst(count);
+            return earlyCount;
+        }
+
+        // One step of a counting sort: puts the pairs into the order of the list indices of their first rows (side 0) or second rows (1).
+        private function scatter(side:int, from:Vector.<int>, to:Vector.<int>):void
+        {
+            findStarts(side);
+            makeRoom(to, count);
+            var next:Vector.<int> = _next;
+            var indices:Vector.<int> = listed.listIndices;
+            var pairRows:Vector.<int> = rows;
+            for (var i:int = 0; i < count; i++)
+            {
+                var pair:int = from[i];
+                var index:int = indices[pairRows[int(2 * pair + side)]];
+                to[next[index]] = pair;
+                next[index]++;
+            }
+        }
+
+        // Finds by list index where the pairs begin whose rows on a side have it.
+        private function findStarts(side:int):void
+        {
+            // the edges of the world have the last index
+            var indexCount:int = listed.listIndices[ListedAgents.EDGES_ROW] + 1;
+            makeRoom(_next, indexCount);
+            var next:Vector.<int> = _next;
+            for (var index:int = 0; index < indexCount; index++)
+            {
+                next[index] = 0;
+            }
+            var pairRows:Vector.<int> = rows;
+            var indices:Vector.<int> = listed.listIndices;
+            var end:int = 2 * count;
+            for (var i:int = side; i < end; i += 2)
+            {
+                next[indices[pairRows[i]]]++;
+            }
+            var start:int = 0;
+            for (index = 0; index < indexCount; index++)
+            {
+                var ofIndex:int = next[index];
+                next[index] = start;
+                start += ofIndex;
+            }
+        }
+
+        // Puts the pairs into another order. @param order by the new index: the present one
+        private function reorder(order:Vector.<int>):void
         {
             makeRoom(_backRows, 2 * count);
             makeRoom(_backTouchIndices, count);

@@ -124,9 +124,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            // rounding must not depend on which one is a: a comes first by its place
-            var order:Number = a.middleX - b.middleX || a.middleY - b.middleY || a.middleZ - b.middleZ || a.halfX - b.halfX;
-            if (order > 0)
+            if (isAfter(a, b))
             {
                 REVERSED.setReversed(motion);
                 findContactInOrder(b, a, REVERSED, out);
@@ -139,6 +137,42 @@ package starlogo.search.pairs
         // A structure in the world would take memory for each row, and it is wider than its body.
         private function findContactInOrder(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
+            readCenters(a, b, motion);
+            _centers.radiusA = a.halfX;
+            _centers.radiusB = b.halfX;
+            out.setFromGap(_centers, motion);
+        }
+
+        /** @inheritDoc */
+        override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            var areSwapped:Boolean = isAfter(a, b);
+            var first:Body = areSwapped ? b : a;
+            var second:Body = areSwapped ? a : b;
+            readCenters(first, second, RelativeMotion.NONE);
+            // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth leaves the gap in place
+            var sphereA:Sphere = first.worldStructure() as Sphere;
+            var sphereB:Sphere = second.worldStructure() as Sphere;
+            _centers.radiusA = sphereA.radius;
+            _centers.radiusB = sphereB.radius;
+            out.setFromGap(_centers);
+            if (areSwapped)
+            {
+                out.swap();
+            }
+            out.correct(areTouching);
+        }
+
+        // The order of two spheres by their middles and radii. The first comes first in a CoreGap, so that rounding does not depend on which one is a.
+        private static function isAfter(a:Body, b:Body):Boolean
+        {
+            var order:Number = a.middleX - b.middleX || a.middleY - b.middleY || a.middleZ - b.middleZ || a.halfX - b.halfX;
+            return order > 0;
+        }
+
+        // Sets the gap of the centres at the time of the motion. The radii stay.
+        private function readCenters(a:Body, b:Body, motion:RelativeMotion):void
+        {
             var gap:CoreGap = _centers;
             gap.point.x = a.middleX;
             gap.point.y = a.middleY;
@@ -146,37 +180,6 @@ package starlogo.search.pairs
             gap.x = a.middleX - b.middleX + motion.startX + motion.time * motion.x;
             gap.y = a.middleY - b.middleY + motion.startY + motion.time * motion.y;
             gap.z = a.middleZ - b.middleZ + motion.startZ + motion.time * motion.z;
-            gap.radiusA = a.halfX;
-            gap.radiusB = b.halfX;
-            out.setFromGap(gap, motion);
-        }
-
-        /** @inheritDoc */
-        override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
-        {
-            // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth leaves the gap in place
-            var first:Sphere = a.worldStructure() as Sphere;
-            var second:Sphere = b.worldStructure() as Sphere;
-            var areSwapped:Boolean = first.isAfter(second);
-            if (areSwapped)
-            {
-                var earlier:Sphere = second;
-                second = first;
-                first = earlier;
-            }
-            var gap:CoreGap = _centers;
-            gap.point.copyFrom(first.center);
-            gap.x = first.center.x - second.center.x;
-            gap.y = first.center.y - second.center.y;
-            gap.z = first.center.z - second.center.z;
-            gap.radiusA = first.radius;
-            gap.radiusB = second.radius;
-            out.setFromGap(gap);
-            if (areSwapped)
-            {
-                out.swap();
-            }
-            out.correct(areTouching);
         }
 
         private function areOverlapping(a:Body, b:Body):Boolean

@@ -75,8 +75,9 @@ package starlogo.search.table
         private var _bodies:Vector.<Body> = new Vector.<Body>();
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
-        // Of the changed rows, those whose bodies have changed.
+        // The list indices of the agents whose bodies have changed, and the shapes that these agents have now: null while a model is loading.
         private var _reshaped:IntList = new IntList();
+        private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         /**
          * @param choice chooses the shapes
@@ -108,17 +109,25 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;
-            if (agents.length != listed.rows.count || !tryFindChanged(agents))
+            if (agents.length == listed.rows.count && tryFindChanged(agents, listed.rows))
+            {
+                findNewShapes(agents);
+            }
+            else
             {
                 listed.propose(agents);
-                requireShapes(agents);
+                tryFindChanged(agents, listed.proposed);
+                findNewShapes(agents);
+                // from here on nothing is refused
                 listed.accept(agents);
                 makeRoom();
                 applyListChanges();
-                // now the rows are those of the list
-                tryFindChanged(agents);
             }
-            writeShapes();
+            for (var i:int = 0; i < changed.count; i++)
+            {
+                changed.values[i] = listed.rows.values[changed.values[i]];
+            }
+            writeNewShapes();
         }
 
         /** Reads the places and the breeds of the rows that have changed. Throws nothing. */
@@ -279,39 +288,41 @@ package starlogo.search.table
             return shapes[row] != null && !shapes[row].isStale && listed.agentsByRow[row].bodyRevision == _bodyRevisions[row];
         }
 
-        // Finds the rows whose agents have changed since the last search, those whose bodies have (_reshaped), and whether an agent sweeps. Returns false
-        // if the rows are those of another list. It compares them in the same loop, because a second one makes still frames slower.
-        private function tryFindChanged(agents:Vector.<Agent>):Boolean
+        // Finds the agents that have changed since the last search (changed), and those whose bodies have (_reshaped), both as list indices, because new
+        // agents have no rows yet; and whether an agent sweeps. Returns false if the rows are those of another list. It compares them in the same loop,
+        // because a second one makes still frames slower.
+        private function tryFindChanged(agents:Vector.<Agent>, rowList:IntList):Boolean
         {
-            var rows:Vector.<int> = listed.rows.values;
+            var rows:Vector.<int> = rowList.values;
             var byRow:Vector.<Agent> = listed.agentsByRow;
             var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
             var end:int = agents.length;
-            var changedRows:IntList = changed;
+            var changedIndices:IntList = changed;
             var reshaped:IntList = _reshaped;
             var isSweeping:Boolean = false;
-            changedRows.count = reshaped.count = 0;
+            changedIndices.count = reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
                 var agent:Agent = agents[i];
-                if (byRow[row] !== agent)
+                var isNew:Boolean = row < 0;
+                if (!isNew && byRow[row] !== agent)
                 {
                     return false;
                 }
                 isSweeping = isSweeping || agent.isSweeping;
                 // isBodyCurrent(), written out for the loop
-                var shape:ModelShape = shapesSeen[row];
+                var shape:ModelShape = isNew ? null : shapesSeen[row];
                 var isShapeStale:Boolean = shape == null || shape.isStale;
-                if (agent.revision != seen[row] || isShapeStale)
+                if (isShapeStale || agent.revision != seen[row])
                 {
-                    if (agent.bodyRevision != bodiesSeen[row] || isShapeStale)
+                    if (isShapeStale || agent.bodyRevision != bodiesSeen[row])
                     {
-                        reshaped.add(row);
+                        reshaped.add(i);
                     }
-                    changedRows.add(row);
+                    changedIndices.add(i);
                 }
             }
             anySweeps = isSweeping;
@@ -356,16 +367,12 @@ package starlogo.search.table
             }
         }
 
-        // Finds the shapes of the agents of the proposed list, because an error must change no row.
-        private function requireShapes(agents:Vector.<Agent>):void
+        // Finds the shapes of the agents whose bodies have changed. One may be refused.
+        private function findNewShapes(agents:Vector.<Agent>):void
         {
-            for (var i:int = 0; i < agents.length; i++)
+            for (var i:int = 0; i < _reshaped.count; i++)
             {
-                var row:int = listed.proposed.values[i];
-                if (row < 0 || !isBodyCurrent(row))
-                {
-                    _choice.shapeOf(agents[i]);
-                }
+                _newShapes[i] = _choice.shapeOf(agents[_reshaped.values[i]]);
             }
         }
 
@@ -395,19 +402,14 @@ package starlogo.search.table
 
         // Gives rows their new shapes, and reads their bodies. No motion begins where a row had the shape of another model, or none. Rows whose models are
         // loading are read again in every search.
-        private function writeShapes():void
+        private function writeNewShapes():void
         {
-            // a shape may be refused, before the first row changes
+            loadingCount = 0;
             for (var i:int = 0; i < _reshaped.count; i++)
             {
-                _choice.shapeOf(listed.agentsByRow[_reshaped.values[i]]);
-            }
-            loadingCount = 0;
-            for (i = 0; i < _reshaped.count; i++)
-            {
-                var row:int = _reshaped.values[i];
+                var row:int = listed.rows.values[_reshaped.values[i]];
                 var before:ModelShape = shapes[row];
-                var next:ModelShape = _choice.shapeOf(listed.agentsByRow[row]);
+                var next:ModelShape = _newShapes[i];
                 if (before == null || next == null || next.modelName != before.modelName)
                 {
                     _startRevisions[row] = NO_START;

@@ -69,6 +69,33 @@ package starlogo.search.table
             assertEquals(5, _table.places.x[row]);
         }
 
+        /** A game's own bind() may add the model that another agent waits for. That agent's shape is then refused, when no row has changed yet. */
+        [Test]
+        public function aShapeThatIsRefusedLeavesTheRowsAsTheyAre():void
+        {
+            for each (var isOtherList:Boolean in [false, true])
+            {
+                var land:GreatLand = landOf(BuiltInModel.cube(), BuiltInModel.cylinder());
+                var table:AgentTable = new AgentTable(new AddingChoice(land));
+                land.expect("sphere");
+                var agents:Vector.<Agent> = new <Agent>[new Agent("cube"), new Agent("sphere"), new Agent("cube"), new Agent("cube")];
+                table.read(agents);
+                var row:int = table.listed.rowOf(agents[0]);
+                var rowOfLast:int = table.listed.rowOf(agents[3]);
+                agents[0].size = 2;
+                agents[2].shape = "cylinder";
+                // bind() adds the sphere now, too late for this list
+                table.read(agents);
+                assertTrue(land.hasModel("sphere"));
+                assertEquals(1, table.loadingCount);
+                assertEquals(1, table.extents.halfX[row]);
+                agents[0].size = 3;
+                assertThrows(ArgumentError, /no shape/, table.read, isOtherList ? agents.slice(0, 3) : agents);
+                assertEquals("as it was", 1, table.extents.halfX[row]);
+                assertEquals(rowOfLast, table.listed.rowOf(agents[3]));
+            }
+        }
+
         [Test]
         public function aPlaceThatIsSetIsWhereTheNextMotionBegins():void
         {
@@ -159,6 +186,35 @@ package starlogo.search.table
                 }
             }
             assertEquals(listed.length, count);
+        }
+    }
+}
+
+import flash.geom.Vector3D;
+import starlogo.GreatLand;
+import starlogo.agents.Agent;
+import starlogo.bounding.Sphere;
+import starlogo.models.BuiltInModel;
+import starlogo.search.ModelShape;
+import starlogo.search.ShapeChoice;
+
+/** Gives spheres to all models but "sphere", which it refuses. The first "cylinder" adds that model. */
+internal class AddingChoice extends ShapeChoice
+{
+    public function AddingChoice(greatLand:GreatLand)
+    {
+        super(greatLand);
+    }
+
+    override public function bind(shape:ModelShape, agent:Agent):void
+    {
+        if (agent.shape == "cylinder")
+        {
+            greatLand.addModel(BuiltInModel.sphere());
+        }
+        if (agent.shape != "sphere")
+        {
+            shape.setStructure(new Sphere(new Vector3D(0, 0, 0.5), 0.5));
         }
     }
 }

@@ -6,10 +6,10 @@ package starlogo.search
     import starlogo.search.table.ListedAgents;
 
     /** The order of pairs, compared with a sort by comparisons. */
-    public class PairOrderTest
+    public class FoundPairsTest
     {
         private var _random:SeededRandom = new SeededRandom(7215);
-        private var _order:PairOrder = new PairOrder();
+        private var _pairs:FoundPairs = new FoundPairs(new ListedAgents());
 
         [Test]
         public function isThatOfTheList():void
@@ -38,10 +38,10 @@ package starlogo.search
 
         private function check(list:ListedAgents, pairCount:int, haveTimes:Boolean):void
         {
-            var pairs:FoundPairs = new FoundPairs(list);
+            _pairs.listed = list;
+            _pairs.count = 0;
             var expected:Array = [];
             var timeOf:Object = {};
-            var times:Vector.<Number> = new Vector.<Number>();
             while (expected.length < pairCount)
             {
                 var first:int = _random.integer(0, list.rows.count - 2);
@@ -53,8 +53,8 @@ package starlogo.search
                     timeOf[first + " " + second] = time;
                     // after the agents comes the ground
                     var other:int = second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.values[second];
-                    pairs.addPairs(list.rows.values[first], new <int>[other], 1);
-                    times.push(time);
+                    _pairs.times[_pairs.count] = time;
+                    _pairs.addPairs(list.rows.values[first], new <int>[other], 1);
                 }
             }
             expected.sort(compare);
@@ -62,11 +62,11 @@ package starlogo.search
                 {
                     return haveTimes && each[0] < 1;
                 });
-            assertEquals("before the end of their motions", early.length, _order.putInOrder(pairs, haveTimes ? times : null));
-            assertEquals(pairCount, pairs.count);
+            assertEquals("before the end of their motions", early.length, _pairs.putInOrder(haveTimes));
+            assertEquals(pairCount, _pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {
-                var found:Array = [0, list.listIndices[pairs.rows[2 * i]], list.listIndices[pairs.rows[2 * i + 1]]];
+                var found:Array = [0, list.listIndices[_pairs.rows[2 * i]], list.listIndices[_pairs.rows[2 * i + 1]]];
                 found[0] = timeOf[found[1] + " " + found[2]];
                 assertEquals(i + " of " + pairCount + " pairs of " + list.rows.count, expected[i].join(), found.join());
             }

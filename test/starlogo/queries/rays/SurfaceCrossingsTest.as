@@ -38,7 +38,7 @@ package starlogo.queries.rays
                 }
                 _surfaces.findOfTriangles();
                 joined += crossings.count - _surfaces.count;
-                var said:String = "crossings " + i + ": " + all.join() + ", left at " + distances().join();
+                var said:String = "crossings " + i + ": " + all.join() + ", left at " + surfaceDistances().join();
                 wrong.addIf(!areInOrder(), "the order", said);
                 for (k = 0; k < crossings.count; k++)
                 {
@@ -64,10 +64,10 @@ package starlogo.queries.rays
                 crossing.side = sides[i];
             }
             _surfaces.findOfSolids();
-            assertEquals("0,6,8", distances().join());
+            assertEquals("0,6,8", surfaceDistances().join());
         }
 
-        private function distances():Array
+        private function surfaceDistances():Array
         {
             var found:Array = [];
             for (var i:int = 0; i < _surfaces.count; i++)

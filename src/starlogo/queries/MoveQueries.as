@@ -9,7 +9,7 @@ package starlogo.queries
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.PlatformCarry;
     import starlogo.queries.motion.Slider;
-    import starlogo.queries.motion.TouchSweep;
+    import starlogo.queries.motion.TouchFinder;
     import starlogo.queries.motion.WalkPlanner;
     import starlogo.queries.motion.WalkState;
     import starlogo.queries.rays.HitWriter;
@@ -33,7 +33,7 @@ package starlogo.queries
         private var _slider:Slider = new Slider();
         private var _platforms:PlatformCarry;
         private var _planner:WalkPlanner;
-        private var _touchSweep:TouchSweep = new TouchSweep();
+        private var _touchFinder:TouchFinder = new TouchFinder();
         private var _writer:HitWriter;
 
         // The body that a question moves. A walk has a body of its own.
@@ -82,7 +82,7 @@ package starlogo.queries
             var first:MotionResult = findTouches(body, filter);
             if (first.hasContact)
             {
-                _touchSweep.moveIntoTouch(body, first);
+                _touchFinder.moveIntoTouch(body, first);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, first.place);
@@ -169,10 +169,10 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             findTouches(body, filter);
-            _writer.resize(hits, _touchSweep.count);
+            _writer.resize(hits, _touchFinder.count);
             for (var i:int = 0; i < hits.length; i++)
             {
-                writeHit(_touchSweep.touchAt(i), hits[i]);
+                writeHit(_touchFinder.touchAt(i), hits[i]);
             }
             return hits;
         }
@@ -182,7 +182,7 @@ package starlogo.queries
         private function findTouches(body:MovingBody, filter:AgentFilter):MotionResult
         {
             body.collectRowsAlong(filter);
-            return _touchSweep.findTouches(body);
+            return _touchFinder.findTouches(body);
         }
 
         private function writeHit(touch:MotionResult, hit:ShapeHit):ShapeHit

@@ -16,8 +16,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Carries an agent that walks by its platform: the agent that it stood on after its last walk. The agent moves and turns as the platform has done
-     * since then. Other platforms lift it: one-way rows that have risen into it.
+     * Carries an agent that walks by its platform: the agent that it stood on after its last walk, where linkToFloor() has noted it. The agent moves and
+     * turns as the platform has done since then. Other platforms lift it: one-way rows that have risen into it.
      *
      * @private
      */

@@ -18,6 +18,9 @@ package starlogo.queries.motion
         // The least z of the normal of a horizontal floor, which has rounding errors.
         private static const HORIZONTAL_Z:Number = 1 - 1e-12;
 
+        // In place of the least z of a floor's normal, for a slide that makes nothing a floor or a wall.
+        private static const NO_FLOORS:Number = 0;
+
         // If the next row is met within this many slops, this is the same corner.
         private static const SAME_CORNER:Number = 4;
 
@@ -52,7 +55,7 @@ package starlogo.queries.motion
          */
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):MotionResult
         {
-            return goOn(begin(body, rows, from, motion, Infinity, 0), motion, 0);
+            return goOn(begin(body, rows, from, motion, Infinity), motion, NO_FLOORS);
         }
 
         /**
@@ -63,7 +66,7 @@ package starlogo.queries.motion
          */
         public function slideOnFloors(body:MovingBody, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number, maxHorizontal:Number):MotionResult
         {
-            return goOn(begin(body, body.rows, from, motion, maxHorizontal, 0), motion, minFloorNormalZ);
+            return goOn(begin(body, body.rows, from, motion, maxHorizontal), motion, minFloorNormalZ);
         }
 
         /**
@@ -75,7 +78,7 @@ package starlogo.queries.motion
          */
         public function slideLevel(body:MovingBody, from:Vector3D, motion:Vector3D, maxLength:Number = Infinity):MotionResult
         {
-            var first:Impact = begin(body, body.rows, from, motion, maxLength, 0);
+            var first:Impact = begin(body, body.rows, from, motion, maxLength);
             makePlanesUpright();
             return goOn(first, motion, HORIZONTAL_Z);
         }
@@ -91,12 +94,13 @@ package starlogo.queries.motion
         {
             _vertical.z = -depth;
             var fallSlope:Number = Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ;
-            return goOn(begin(body, body.rows, from, _vertical, maxHorizontal, fallSlope), _vertical, 0);
+            return goOn(begin(body, body.rows, from, _vertical, maxHorizontal, fallSlope), _vertical, NO_FLOORS);
         }
 
         // Begins a slide. The last two parameters are those of RemainingMotion.begin(). Returns what stops it first, or null if nothing does or there are
         // planes.
-        private function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, maxHorizontal:Number, fallSlope:Number):Impact
+        private function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, maxHorizontal:Number,
+                fallSlope:Number = RemainingMotion.NO_FALL):Impact
         {
             _remaining.begin(motion, maxHorizontal, fallSlope);
             var first:Impact = sweep.begin(body, rows, from, _remaining.motion);
@@ -107,7 +111,7 @@ package starlogo.queries.motion
             return first;
         }
 
-        // Goes on with a slide from impact to impact. What is too steep for a floor is an upright wall; with 0 there are no floors and no walls.
+        // Goes on with a slide from impact to impact. What is too steep for a floor is an upright wall.
         private function goOn(first:Impact, motion:Vector3D, minFloorNormalZ:Number):MotionResult
         {
             var result:MotionResult = _slid;
@@ -180,12 +184,16 @@ package starlogo.queries.motion
                 out.contact.copyFrom(contact);
                 out.row = impact.row;
             }
-            if (minFloorNormalZ > 0 && contact.normalZ < minFloorNormalZ)
+            if (minFloorNormalZ == NO_FLOORS)
+            {
+                return;
+            }
+            if (contact.normalZ < minFloorNormalZ)
             {
                 out.wallRow = impact.row;
                 makeUpright(contact);
             }
-            else if (minFloorNormalZ > 0)
+            else
             {
                 _remaining.liftOverPlane(contact);
             }

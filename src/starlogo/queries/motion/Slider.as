@@ -55,7 +55,7 @@ package starlogo.queries.motion
          */
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):MotionResult
         {
-            return goOn(begin(body, rows, from, motion, Infinity), motion, NO_FLOORS);
+            return goOn(begin(body, rows, from, motion, Infinity, RemainingMotion.NO_FALL), motion, NO_FLOORS);
         }
 
         /**
@@ -66,7 +66,7 @@ package starlogo.queries.motion
          */
         public function slideOnFloors(body:MovingBody, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number, maxHorizontal:Number):MotionResult
         {
-            return goOn(begin(body, body.rows, from, motion, maxHorizontal), motion, minFloorNormalZ);
+            return goOn(begin(body, body.rows, from, motion, maxHorizontal, RemainingMotion.NO_FALL), motion, minFloorNormalZ);
         }
 
         /**
@@ -78,7 +78,7 @@ package starlogo.queries.motion
          */
         public function slideLevel(body:MovingBody, from:Vector3D, motion:Vector3D, maxLength:Number = Infinity):MotionResult
         {
-            var first:Impact = begin(body, body.rows, from, motion, maxLength);
+            var first:Impact = begin(body, body.rows, from, motion, maxLength, RemainingMotion.NO_FALL);
             makePlanesUpright();
             return goOn(first, motion, HORIZONTAL_Z);
         }
@@ -99,8 +99,7 @@ package starlogo.queries.motion
 
         // Begins a slide. The last two parameters are those of RemainingMotion.begin(). Returns what stops it first, or null if nothing does or there are
         // planes.
-        private function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, maxHorizontal:Number,
-                fallSlope:Number = RemainingMotion.NO_FALL):Impact
+        private function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, maxHorizontal:Number, fallSlope:Number):Impact
         {
             _remaining.begin(motion, maxHorizontal, fallSlope);
             var first:Impact = sweep.begin(body, rows, from, _remaining.motion);

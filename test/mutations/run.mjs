@@ -16,7 +16,7 @@
  * not all looked at again is larger by less than a step of the hull's grid. Corners of triangles are kept as moved although they are at their
  * vertices' places. A level's triangles are prepared when it is added, or when it is asked first. Where two bodies part is halved from 0 on, which
  * takes longer. Of two places that both lead into a platform the one or the other is taken (PlatformCarry.carry).
- * Of more steps than any case needs, one is left out (TouchSweep). What has not changed is read again (AgentTable.currentBodyOf).
+ * Of more steps than any case needs, one is left out (TouchFinder). What has not changed is read again (AgentTable.currentBodyOf).
  *
  * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: DisplacedPair.findGrazing and its
  * second push against the motion, the shorter depth in DirectionSearch.correctDepth, the end of a triangle in the ray that ShearedRay makes longer by its

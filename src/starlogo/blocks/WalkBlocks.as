@@ -8,7 +8,6 @@ package starlogo.blocks
     import starlogo.queries.AgentFilter;
     import starlogo.queries.Footing;
     import starlogo.queries.WalkOptions;
-    import starlogo.queries.motion.Slider;
 
     use namespace engine;
 
@@ -120,8 +119,7 @@ package starlogo.blocks
         public function forward(agent:Agent, steps:Number):void
         {
             checkNumber("forward", agent, steps, "steps");
-            _detection.queries.moves.slide(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), 0, _solid,
-                    Slider.HORIZONTAL_Z);
+            _detection.queries.moves.slideLevel(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _solid);
         }
 
         /**

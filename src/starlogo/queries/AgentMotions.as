@@ -1,10 +1,10 @@
-// A walk is read in this order. WalkOptions go in, a WalkState is filled, and a Footing comes out:
-// 1. WalkPlanner.plan: carried by a platform, pushed out of overlaps, substep by substep along the ground, a fall, and a clearance at the end
-// 2. MoveQueries.walk: moves the agent to where the walk ends, and writes the Footing
+// A walk is read in this order. WalkOptions go in, a WalkState is passed along, and a Footing comes out:
+// 1. WalkPlanner.plan: carried by a platform, pushed out of overlaps, substep by substep on the ground or in the air, a fall, and a clearance at the end
+// 2. MoveQueries.walk: moves the agent to where the walk ends
 // 3. Slider: each way of a walk is a slide, or goes straight up or down. Both end in a MotionResult
 // 4. ShrunkSweep: how such a way starts (begin), what stops it first (findStoppingImpact), and when (findTouchTime)
 // 5. ShrunkBody: what stops it is what the shrunk body meets, and not what the body only touches
-// moveUntilTouch and the casts: MoveQueries, TouchSweep, ShrunkSweep.findStop. Slides end a clearance before a touch, these in the touch.
+// moveUntilTouch and the casts: MoveQueries, TouchFinder, ShrunkSweep.findStop. Slides end a clearance before a touch, these in the touch.
 // The head of MovingBody has the words of all these.
 package starlogo.queries
 {

@@ -3,7 +3,7 @@
 // - touching to overlapping: TouchQueries finds the rows whose bodies touch a body that stands (SweptBoxSearch, NarrowPhase)
 // - distance, distanceToPoint: TouchQueries measures between two bodies (NarrowPhase)
 // - cast, castAll, canSee: AgentRays finds the rows that a ray meets (SweptBoxSearch, RowRayTest)
-// - castShape to slide: MoveQueries finds how far a body can go (TouchSweep, Slider)
+// - castShape to slide: MoveQueries finds how far a body can go (TouchFinder, Slider)
 // - walk: MoveQueries finds where a character comes to stand (WalkPlanner)
 // AgentPlaces, AgentRays and AgentMotions have the same questions for games that load only these. AgentMotions has those of the last two lines.
 package starlogo.queries

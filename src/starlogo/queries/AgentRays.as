@@ -10,7 +10,7 @@ package starlogo.queries
     import starlogo.intersection.ray.RayCrossing;
     import starlogo.queries.rays.RayHits;
     import starlogo.queries.rays.RowRayTest;
-    import starlogo.queries.rays.RowSurfaceTest;
+    import starlogo.queries.rays.SurfaceCrossings;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -25,9 +25,11 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRayTest;
-        private var _rowSurfaces:RowSurfaceTest;
         private var _ray:Ray = new Ray();
+
+        // Where the ray enters a row, or the surfaces of the row that it crosses.
         private var _entry:RayCrossing = new RayCrossing();
+        private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
 
         // How the ray of a question meets rows.
         private var _rayHitsPool:NestedPool;
@@ -47,7 +49,6 @@ package starlogo.queries
             requireGiven("seen", seen);
             _seen = seen;
             _rowRays = new RowRayTest(seen);
-            _rowSurfaces = new RowSurfaceTest(seen, _rowRays);
             _rayHitsPool = new NestedPool(seen, RayHits);
         }
 
@@ -202,7 +203,8 @@ package starlogo.queries
             {
                 if (allSurfaces)
                 {
-                    _rowSurfaces.addSurfaces(row, _ray, hits);
+                    _rowRays.findSurfaces(row, _ray, _surfaces);
+                    hits.addSurfaces(row, _ray, _surfaces);
                 }
                 else if (_rowRays.findRayEntry(row, _ray, _entry))
                 {

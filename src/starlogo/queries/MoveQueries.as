@@ -2,21 +2,19 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.agents.PlatformLink;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
-    import starlogo.geometry.copyVector;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
+    import starlogo.queries.motion.PlatformCarry;
     import starlogo.queries.motion.Slider;
-    import starlogo.queries.motion.TouchSweep;
+    import starlogo.queries.motion.TouchFinder;
     import starlogo.queries.motion.WalkPlanner;
     import starlogo.queries.motion.WalkState;
     import starlogo.queries.rays.HitWriter;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -29,13 +27,13 @@ package starlogo.queries
     public final class MoveQueries
     {
         private static const DEFAULT_OPTIONS:WalkOptions = new WalkOptions();
-        private static const UP:Vector3D = new Vector3D(0, 0, 1);
 
         private var _seen:SeenAgents;
 
         private var _slider:Slider = new Slider();
+        private var _platforms:PlatformCarry;
         private var _planner:WalkPlanner;
-        private var _touchSweep:TouchSweep = new TouchSweep();
+        private var _touchFinder:TouchFinder = new TouchFinder();
         private var _writer:HitWriter;
 
         // The body that a question moves. A walk has a body of its own.
@@ -46,7 +44,8 @@ package starlogo.queries
         {
             _seen = seen;
             _writer = new HitWriter(seen, ShapeHit);
-            _planner = new WalkPlanner(seen, _slider);
+            _platforms = new PlatformCarry(seen, _slider);
+            _planner = new WalkPlanner(seen, _slider, _platforms);
             _bodyPool = new NestedPool(seen, MovingBody);
         }
 
@@ -83,7 +82,7 @@ package starlogo.queries
             var first:MotionResult = findTouches(body, filter);
             if (first.hasContact)
             {
-                _touchSweep.moveIntoTouch(body, first);
+                _touchFinder.moveIntoTouch(body, first);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, first.place);
@@ -99,20 +98,39 @@ package starlogo.queries
             return first.fraction;
         }
 
-        /** See AgentMotions.slide. With Slider.HORIZONTAL_Z the agent stays at its height, and slopes stop it as walls do. */
-        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, minFloorNormalZ:Number = 0):Number
+        /** See AgentMotions.slide. */
+        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
+        {
+            var body:MovingBody = beginSlide(agent, dx, dy, dz, filter);
+            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion);
+            _slider.depenetration.restoreClearance(body, slid.place);
+            return endSlide(agent, body, slid);
+        }
+
+        /** Slides an agent as AgentMotions.slide does, but at its height: slopes stop it as walls do. */
+        public function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
+        {
+            var body:MovingBody = beginSlide(agent, dx, dy, 0, filter);
+            var slid:MotionResult = _slider.slideLevel(body, body.from, body.motion);
+            _slider.depenetration.restoreClearance(body, slid.place);
+            // the clearance leads off slopes by their normals
+            slid.place.z = body.from.z;
+            return endSlide(agent, body, slid);
+        }
+
+        private function beginSlide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):MovingBody
         {
             _seen.requireMovable(agent, "slide");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
-            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, minFloorNormalZ);
-            _slider.depenetration.restoreClearance(body, slid.place);
-            if (minFloorNormalZ == Slider.HORIZONTAL_Z)
-            {
-                // the clearance leads off slopes by their normals
-                slid.place.z = body.from.z;
-            }
-            _seen.moveAgent(agent, dx == 0 && dy == 0 && dz == 0 ? body.from : slid.place);
+            return body;
+        }
+
+        // Moves an agent to the end of a slide. Without a motion it stays where it is.
+        private function endSlide(agent:Agent, body:MovingBody, slid:MotionResult):Number
+        {
+            var motion:Vector3D = body.motion;
+            _seen.moveAgent(agent, motion.x == 0 && motion.y == 0 && motion.z == 0 ? body.from : slid.place);
             return slid.fraction;
         }
 
@@ -123,19 +141,8 @@ package starlogo.queries
             var walk:WalkState = _planner.plan(agent, dx, dy, options || DEFAULT_OPTIONS);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
-            var footing:Footing = writeFooting(walk, out || new Footing());
-            var link:PlatformLink = agent.platformLink ||= new PlatformLink();
-            link.platform = null;
-            if (walk.floorRow >= ListedAgents.FIRST_LISTED)
-            {
-                var platform:Body = _seen.table.bodyOf(walk.floorRow);
-                link.setTo(agent, footing.on, platform.placement, _seen.table.revisions[walk.floorRow]);
-                if (platform.shape.ignoresRotation)
-                {
-                    link.platformPlacement.copyRotation(footing.on.freshPlacement());
-                }
-            }
-            return footing;
+            _platforms.linkToFloor(agent, walk.floorRow);
+            return walk.writeFooting(_seen.table.listed.agentsByRow, out || new Footing());
         }
 
         /**
@@ -143,20 +150,7 @@ package starlogo.queries
          */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            return writeFooting(_planner.plan(agent, 0, 0, options), out);
-        }
-
-        // Writes how the agent stands where a walk has ended. Returns the footing.
-        private function writeFooting(walk:WalkState, out:Footing):Footing
-        {
-            var agents:Vector.<Agent> = _seen.table.listed.agentsByRow;
-            out.stands = walk.floorRow >= 0;
-            out.on = out.stands ? agents[walk.floorRow] : null;
-            out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
-            out.part = walk.part;
-            out.pushed = walk.pushed;
-            copyVector(out.stands ? walk.floorNormal : UP, out.normal);
-            return out;
+            return _planner.plan(agent, 0, 0, options).writeFooting(_seen.table.listed.agentsByRow, out);
         }
 
         // The body of the question that begins now.
@@ -175,10 +169,10 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             findTouches(body, filter);
-            _writer.resize(hits, _touchSweep.count);
+            _writer.resize(hits, _touchFinder.count);
             for (var i:int = 0; i < hits.length; i++)
             {
-                writeHit(_touchSweep.touchAt(i), hits[i]);
+                writeHit(_touchFinder.touchAt(i), hits[i]);
             }
             return hits;
         }
@@ -188,7 +182,7 @@ package starlogo.queries
         private function findTouches(body:MovingBody, filter:AgentFilter):MotionResult
         {
             body.collectRowsAlong(filter);
-            return _touchSweep.findTouches(body);
+            return _touchFinder.findTouches(body);
         }
 
         private function writeHit(touch:MotionResult, hit:ShapeHit):ShapeHit

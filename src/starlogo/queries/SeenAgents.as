@@ -1,5 +1,7 @@
-// This room answers questions about agents in space. A class for each kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries) searches the
-// trees of a SeenAgents, tests what it finds, and gives it to a Collector. The head of AgentQueries lists all questions.
+// This room answers questions about agents in space. Games ask an AgentQueries, which has all questions, or for a smaller game AgentPlaces (what is
+// near), AgentRays (what a ray meets) and AgentMotions (how far something can go). Each class of questions searches the trees of a SeenAgents, tests what
+// it finds, and gives it to a Collector. AgentPlaces and AgentRays do so themselves. TouchQueries answers AgentQueries alone. MoveQueries answers
+// AgentQueries and AgentMotions, because AgentMotions loads the tests of trees.
 // - trees/: the trees of places and extents, their searches, the Collector and its RowFilter; motion/: how a body moves among rows
 // - rays/: how a ray meets a row, and the hits of rays and casts
 // - LevelShapes, LevelChoice, LevelCollider: shapes without a GreatLand

@@ -16,9 +16,9 @@ package starlogo.queries.motion
      * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts. If no pushes lead out of shallow overlaps, planes
      * stand for these rows too.</p>
      *
-     * <p>Each push is a clearance longer than the depth of its contact. The pushes go from one row after the other, in rounds, because a push out of
-     * one side of a hollow leads a part of the way into another. If it does not get free, for example between two opposite walls, it stays where it
-     * was. The tests of a pair know the shortest way out of that pair (PairTests.separate).</p>
+     * <p>A push is a contact whose depth says how far it leads: a clearance farther than out of the overlap. The pushes go from one row after the other,
+     * in rounds, because a push out of one side of a hollow leads a part of the way into another. If the body does not get free, for example between two
+     * opposite walls, it stays where it was. The tests of a pair know the shortest way out of that pair (PairTests.separate).</p>
      *
      * @private
      */
@@ -40,14 +40,12 @@ package starlogo.queries.motion
         /** The shrunk body that is freed, with the tolerances of its motion. Others may use it between two calls. Read only. */
         public var shrunk:ShrunkBody = new ShrunkBody();
 
-        // The contact of an overlap, or of the next push.
-        private var _contact:ContactPoint = new ContactPoint();
-
-        // Where the pushes have led, and the contact of the last one. Its normal is 0 before the first.
+        // Where the pushes have led, and the last one. Its normal is 0 before the first.
         private var _pushedPlace:Vector3D = new Vector3D();
         private var _lastPush:ContactPoint = new ContactPoint();
 
-        // Where the body touches a row, for a push off that row.
+        // A contact, and a place, within one call.
+        private var _contact:ContactPoint = new ContactPoint();
         private var _touchingPlace:Vector3D = new Vector3D();
 
         /**
@@ -87,9 +85,8 @@ package starlogo.queries.motion
          * Finds how deep a body overlaps its rows at a place. Overlaps that are shallow do not count, nor those with one-way rows, nor those with a tree out
          * of which the way is too long.
          *
-         * @param deepest receives the contact of the deepest overlap, with the depth 0 if there is none. A push along its normal by its depth leads a
-         *     clearance out
-         * @return the sum of the depths of all overlaps
+         * @param deepest receives the push out of the deepest overlap, with the depth 0 if there is none
+         * @return the sum of the depths of all these pushes
          */
         public function measureOverlaps(body:MovingBody, place:Vector3D, deepest:ContactPoint):Number
         {
@@ -99,7 +96,7 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.values[i];
-                if (!body.isOneWay(row) && shrunk.touches(row, place) && findDeepOverlap(row, place))
+                if (!body.isOneWay(row) && shrunk.touches(row, place) && findPushOutOfDeep(row, place, _contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -111,25 +108,26 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Finds the contact for a push out of a row that the shrunk body touches at a place. Returns whether the overlap is deep, and the push is not too long.
-        private function findDeepOverlap(row:int, place:Vector3D):Boolean
+        // Finds a push out of a row that the shrunk body touches at a place. Returns whether the overlap is deep, and the push is not too long.
+        private function findPushOutOfDeep(row:int, place:Vector3D, out:ContactPoint):Boolean
         {
             var body:MovingBody = shrunk.body;
-            body.findSeparatingContact(row, place, _contact);
-            if (body.isShallow(row, _contact) || !shrunk.fullBodyOverlaps(row, place))
+            body.findContact(row, place, true, out);
+            if (body.isShallow(row, out) || !shrunk.fullBodyOverlaps(row, place))
             {
                 return false;
             }
-            body.warnIfInside(row, _contact);
-            _contact.depth += shrunk.clearance;
+            body.warnIfInside(row, out);
+            out.depth += shrunk.clearance;
             // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-            return body.bodyOf(row).kind != ModelShape.TREE || _contact.depth <= body.fullBody.halfAlong(_contact);
+            return body.bodyOf(row).kind != ModelShape.TREE || out.depth <= body.fullBody.halfAlong(out);
         }
 
         // Pushes the body out of the obstacles that the shrunk body overlaps. Returns whether it gets free. If an overlap is deep, or if the body is between two
         // rows, it stays where it is, and there are no pushes.
         private function pushOutOfShallow(start:Vector3D, obstacles:IntList, pushes:ContactList):Boolean
         {
+            var push:ContactPoint = _contact;
             beginPushes(start);
             var isFree:Boolean = false;
             for (var round:int = 0; !isFree; round++)
@@ -140,13 +138,15 @@ package starlogo.queries.motion
                     var row:int = obstacles.values[i];
                     if (shrunk.touches(row, _pushedPlace))
                     {
-                        findContactOfPush(row, _pushedPlace, round);
-                        if (!shrunk.body.isShallow(row, _contact) || !tryPush(_contact.depth + shrunk.clearance, round))
+                        findContactOfPush(row, _pushedPlace, round, push);
+                        var isShallow:Boolean = shrunk.body.isShallow(row, push);
+                        push.depth += shrunk.clearance;
+                        if (!isShallow || !tryPush(push, round))
                         {
                             pushes.clear();
                             return false;
                         }
-                        pushes.add(_contact, row);
+                        pushes.add(push, row);
                         isFree = false;
                     }
                 }
@@ -165,10 +165,9 @@ package starlogo.queries.motion
                 isFree = true;
                 for (var i:int = 0; i < rows.count; i++)
                 {
-                    var length:Number = findPushOff(rows.values[i], round);
-                    if (length > 0)
+                    if (findPushOff(rows.values[i], round, _contact))
                     {
-                        if (!tryPush(length, round))
+                        if (!tryPush(_contact, round))
                         {
                             return;
                         }
@@ -185,17 +184,17 @@ package starlogo.queries.motion
             _lastPush.setNormal(0, 0, 0);
         }
 
-        // Pushes the body along the contact. Returns whether it does: not if the body is between two rows, or after too many rounds.
-        private function tryPush(length:Number, round:int):Boolean
+        // Pushes the body. Returns whether it does: not if the body is between two rows, or after too many rounds.
+        private function tryPush(push:ContactPoint, round:int):Boolean
         {
             // a flat body may be led back in the first round: of the two ways out of a sheet, one may lead into the next row
-            var isBetween:Boolean = leadsBack() && !(shrunk.isFlat && round == 0);
+            var isBetween:Boolean = leadsBack(push) && !(shrunk.isFlat && round == 0);
             if (isBetween || round == MAX_ROUNDS)
             {
                 return false;
             }
-            _contact.movePoint(_pushedPlace, length);
-            _lastPush.copyFrom(_contact);
+            push.movePoint(_pushedPlace, push.depth);
+            _lastPush.copyFrom(push);
             return true;
         }
 
@@ -228,14 +227,10 @@ package starlogo.queries.motion
         private function tryReplaceByPlane(row:int, start:Vector3D, planes:ContactList, alsoShallow:Boolean):Boolean
         {
             var body:MovingBody = shrunk.body;
-            body.findContact(row, start, _contact);
-            if (body.isShallow(row, _contact))
+            body.findContact(row, start, alsoShallow, _contact);
+            if (!alsoShallow && body.isShallow(row, _contact))
             {
-                if (!alsoShallow)
-                {
-                    return false;
-                }
-                body.findSeparatingContact(row, start, _contact);
+                return false;
             }
             if (shrunk.shrinkUntilFree(row, start) || !shrunk.fullBodyOverlaps(row, start))
             {
@@ -246,78 +241,79 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.
-        private function findPushOff(row:int, round:int):Number
+        // Finds a push off a row. Returns whether there is one: not if the body does not touch the row, overlaps it deeply or passes it.
+        private function findPushOff(row:int, round:int, out:ContactPoint):Boolean
         {
             var body:MovingBody = shrunk.body;
+            var place:Vector3D = _touchingPlace;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(row) || body.passesOneWayAt(row, _touchingPlace, _contact) || (!shrunk.isFlat && shrunk.touches(row, _pushedPlace)))
+            if (!findTouchingPlace(row, place) || body.passesOneWayAt(row, place, out) || (!shrunk.isFlat && shrunk.touches(row, _pushedPlace)))
             {
-                return 0;
+                return false;
             }
-            findContactOfPush(row, _touchingPlace, round);
+            findContactOfPush(row, place, round, out);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
-            if (_contact.depth > most && !body.isShallow(row, _contact))
+            if (out.depth > most && !body.isShallow(row, out))
             {
-                return 0;
+                return false;
             }
-            var toX:Number = _pushedPlace.x - _touchingPlace.x;
-            var toY:Number = _pushedPlace.y - _touchingPlace.y;
-            var toZ:Number = _pushedPlace.z - _touchingPlace.z;
+            var toX:Number = _pushedPlace.x - place.x;
+            var toY:Number = _pushedPlace.y - place.y;
+            var toZ:Number = _pushedPlace.z - place.z;
             // how far the body is along the normal already
-            var ahead:Number = _contact.normalX * toX + _contact.normalY * toY + _contact.normalZ * toZ;
+            var ahead:Number = out.normalX * toX + out.normalY * toY + out.normalZ * toZ;
             if (ahead < 0)
             {
                 // the body is so thin that the shortest way out there leads to the other side of the row: it goes on from the row along the axis
-                _contact.setNormal(toX, toY, toZ);
-                _contact.normalise();
-                return shrunk.clearance;
+                out.setNormal(toX, toY, toZ);
+                out.normalise();
+                out.depth = shrunk.clearance;
             }
-            return Math.min(_contact.depth, most) - ahead + shrunk.clearance;
+            else
+            {
+                out.depth = Math.min(out.depth, most) - ahead + shrunk.clearance;
+            }
+            return out.depth > 0;
         }
 
         // Finds the contact for a push away from a row that the body touches at a place. From a few rounds on it separates the two. Before, it need not if that
         // leads on from the last push. The contact of a flat body with a part that is as flat may point to either side, so it separates, if that is a short way.
-        private function findContactOfPush(row:int, place:Vector3D, round:int):void
+        private function findContactOfPush(row:int, place:Vector3D, round:int, out:ContactPoint):void
         {
             var body:MovingBody = shrunk.body;
             var mustSeparate:Boolean = round >= FIRST_SEPARATING_ROUND;
-            if (!mustSeparate && !shrunk.isFlat)
+            body.findContact(row, place, mustSeparate || shrunk.isFlat, out);
+            if (!mustSeparate && !shrunk.isFlat && leadsBack(out))
             {
-                body.findContact(row, place, _contact);
-                if (!leadsBack())
-                {
-                    return;
-                }
+                body.findContact(row, place, true, out);
             }
-            body.findSeparatingContact(row, place, _contact);
-            if (!mustSeparate && shrunk.isFlat && !body.isShallow(row, _contact))
+            else if (!mustSeparate && shrunk.isFlat && !body.isShallow(row, out))
             {
                 // exactly in the planes of a row, the way out of all its parts may be long
-                body.findContact(row, place, _contact);
+                body.findContact(row, place, false, out);
             }
         }
 
-        // Whether a push along the contact leads back against the last one. Then the body is between two rows.
-        private function leadsBack():Boolean
+        // Whether a push leads back against the last one. Then the body is between two rows.
+        private function leadsBack(push:ContactPoint):Boolean
         {
-            return _contact.normalX * _lastPush.normalX + _contact.normalY * _lastPush.normalY + _contact.normalZ * _lastPush.normalZ < OPPOSITE;
+            return push.normalX * _lastPush.normalX + push.normalY * _lastPush.normalY + push.normalZ * _lastPush.normalZ < OPPOSITE;
         }
 
         // Finds where the body touches a row: where the pushes have led, or if the body is flat, half of a clearance beside this along an axis. Returns whether
         // it touches the row at one of these.
-        private function findTouchingPlace(row:int):Boolean
+        private function findTouchingPlace(row:int, out:Vector3D):Boolean
         {
-            _touchingPlace.copyFrom(_pushedPlace);
-            var touches:Boolean = shrunk.fullBodyTouches(row, _touchingPlace);
+            out.copyFrom(_pushedPlace);
+            var touches:Boolean = shrunk.fullBodyTouches(row, out);
             for (var i:int = 0; shrunk.isFlat && !touches && i < 6; i++)
             {
                 var beside:Number = i < 3 ? -shrunk.clearance / 2 : shrunk.clearance / 2;
                 var x:Number = i % 3 == 2 ? beside : 0;
                 var y:Number = i % 3 == 1 ? beside : 0;
                 var z:Number = i % 3 == 0 ? beside : 0;
-                _touchingPlace.setTo(_pushedPlace.x + x, _pushedPlace.y + y, _pushedPlace.z + z);
-                touches = shrunk.fullBodyTouches(row, _touchingPlace);
+                out.setTo(_pushedPlace.x + x, _pushedPlace.y + y, _pushedPlace.z + z);
+                touches = shrunk.fullBodyTouches(row, out);
             }
             return touches;
         }

@@ -38,12 +38,14 @@ package starlogo.queries.motion
         }
 
         /**
-         * Lets the agent stand on the ground below a place, if the ground is no deeper than this depth, and not too steep. Otherwise the agent stays where it
-         * is. Returns whether it stands.
+         * Lets the agent stand on the ground below a place, if the ground is near enough and not too steep. Otherwise the agent stays where it is.
+         *
+         * @param deeper how much deeper than the walk's floor distance the ground may be
+         * @return whether it stands
          */
-        public function tryStandBelow(walk:WalkState, place:Vector3D, depth:Number):Boolean
+        public function tryStandBelow(walk:WalkState, place:Vector3D, deeper:Number = 0):Boolean
         {
-            return tryStandAtEnd(walk, _slider.moveVertically(walk.body, place, -depth));
+            return tryStandAtEnd(walk, _slider.moveVertically(walk.body, place, -(deeper + walk.maxFloorDistance)));
         }
 
         /**

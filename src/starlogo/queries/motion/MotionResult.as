@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a motion of a body ends, a slide or a straight one, as a record. Slider, ShrunkSweep.findStop and TouchSweep write it.
+     * How a motion of a body ends, a slide or a straight one, as a record. Slider, ShrunkSweep.findStop and TouchFinder write it.
      *
      * @private
      */
@@ -28,7 +28,7 @@ package starlogo.queries.motion
         /** The place of the body where the shrunk body touches the row. A slide does not set it, nor a motion that a plane stops. */
         public var shrunkPlace:Vector3D = new Vector3D();
 
-        /** Whether the body starts in an overlap for which a plane stands: a deep one, or one that pushes did not end. In TouchSweep it stops the body. */
+        /** Whether the body starts in an overlap for which a plane stands: a deep one, or one that pushes did not end. In TouchFinder it stops the body. */
         public var startsPenetrating:Boolean = false;
 
         /** Whether it has a contact. */

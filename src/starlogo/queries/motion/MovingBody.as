@@ -1,4 +1,4 @@
-// This folder moves a MovingBody among the rows of a table: Slider along what it meets, TouchSweep up to a touch. Both sweep each motion by a
+// This folder moves a MovingBody among the rows of a table: a Slider along what it meets, a TouchFinder up to a touch. Both sweep each motion by a
 // ShrunkSweep. It has a ShrunkBody, and a Depenetration that frees this from overlaps. The head of AgentMotions says in which order to read a walk.
 // The words of this folder:
 // Shrunk body: the body, but smaller, at first by a slop on each side (ShrunkBody). Only what it meets stops the body, so the body may touch what it
@@ -280,28 +280,21 @@ package starlogo.queries.motion
             return Math.max(2 * other.maxHalf, extent);
         }
 
-        /** Finds a contact of the full body with a row that it touches when it stands at a place. If it is shallow, it may separate only two of their parts. */
-        public function findContact(row:int, place:Vector3D, out:ContactPoint):void
+        /**
+         * Finds a contact of the full body with a row that it touches when it stands at a place.
+         *
+         * @param mustSeparate whether a push along the contact has to separate the two. Otherwise a shallow one may separate only two of their parts. The
+         *     ground can be floor and wall at once, and a contact with one does not lead away from the other
+         */
+        public function findContact(row:int, place:Vector3D, mustSeparate:Boolean, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
             var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
             tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
-            if (!isShallow(row, out))
+            if (mustSeparate || !isShallow(row, out))
             {
                 tests.separate(fullBody, other, RelativeMotion.NONE, out);
             }
-        }
-
-        /**
-         * Finds a contact that separates the full body from a row that it touches when it stands at a place. The ground can be floor and wall at once, and a
-         * contact with one does not lead away from the other.
-         */
-        public function findSeparatingContact(row:int, place:Vector3D, out:ContactPoint):void
-        {
-            var other:Body = bodyOf(row);
-            var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
-            tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
-            tests.separate(fullBody, other, RelativeMotion.NONE, out);
         }
 
         /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */
@@ -321,7 +314,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findSeparatingContact(row, place, contact);
+            findContact(row, place, true, contact);
             return !isShallow(row, contact) || passesOneWay(row, contact);
         }
 

@@ -11,12 +11,13 @@ package starlogo.queries.motion
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
     /**
-     * Carries an agent that walks by its platform: the agent that it stood on after its last walk. The agent moves and turns as the platform has done
-     * since then. Other platforms lift it: one-way rows that have risen into it.
+     * Carries an agent that walks by its platform: the agent that it stood on after its last walk, where linkToFloor() has noted it. The agent moves and
+     * turns as the platform has done since then. Other platforms lift it: one-way rows that have risen into it.
      *
      * @private
      */
@@ -129,6 +130,23 @@ package starlogo.queries.motion
             _motion.copyFrom(place);
             _motion.decrementBy(_from);
             return _slider.sweep.meets(walk.body, walk.platformRow, _from, _motion);
+        }
+
+        /** Notes which row an agent stands on where its walk has ended, or none with -1. Its next walk begins with what that has done until then. */
+        public function linkToFloor(agent:Agent, row:int):void
+        {
+            var link:PlatformLink = agent.platformLink ||= new PlatformLink();
+            link.platform = null;
+            if (row >= ListedAgents.FIRST_LISTED)
+            {
+                var floor:Agent = _seen.table.listed.agentsByRow[row];
+                var body:Body = _seen.table.bodyOf(row);
+                link.setTo(agent, floor, body.placement, _seen.table.revisions[row]);
+                if (body.shape.ignoresRotation)
+                {
+                    link.platformPlacement.copyRotation(floor.freshPlacement());
+                }
+            }
         }
 
         /** Finds how far up one-way rows lift the agent of a walk: those that it was above before they rose into it. Its platform carries it already. */

@@ -18,6 +18,9 @@ package starlogo.queries.motion
         /** A motion runs along a plane if the sine of the angle between them is at most this. */
         public static const PARALLEL_SINE:Number = 1e-12;
 
+        /** In place of the least slope of a fall, for a motion that is no fall. */
+        public static const NO_FALL:Number = 0;
+
         // A motion that is shorter than this fraction of the desired one counts as none.
         private static const STUCK:Number = 1e-10;
 
@@ -30,10 +33,10 @@ package starlogo.queries.motion
         /** The length of the way so far. Read only. */
         public var travelled:Number = 0;
 
-        // The desired motion, how far it may go on the ground plane at most, and the least slope of a fall; 0 if it is no fall.
+        // The desired motion, how far it may go on the ground plane at most, and the least slope of a fall.
         private var _desired:Vector3D = new Vector3D();
         private var _maxHorizontal:Number = Infinity;
-        private var _fallSlope:Number = 0;
+        private var _fallSlope:Number = NO_FALL;
 
         // Finds the shortest displacement from the end of the desired motion out of the planes.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
@@ -42,7 +45,7 @@ package starlogo.queries.motion
          * Begins a slide.
          *
          * @param maxHorizontal how far it may go on the ground plane
-         * @param fallSlope the least slope on which a fall goes on, as a tangent; 0 for what is no fall. In each corner a fall begins straight down again. So
+         * @param fallSlope the least slope on which a fall goes on, as a tangent, or NO_FALL. In each corner a fall begins straight down again. So
          *     it has no momentum, and never goes up
          */
         public function begin(desired:Vector3D, maxHorizontal:Number, fallSlope:Number):void
@@ -58,7 +61,7 @@ package starlogo.queries.motion
         /** Begins a corner: the remaining motion becomes the desired one, except of a fall. */
         public function beginCorner():void
         {
-            if (_fallSlope == 0)
+            if (_fallSlope == NO_FALL)
             {
                 _desired.copyFrom(motion);
             }
@@ -123,7 +126,7 @@ package starlogo.queries.motion
         private function shorten():void
         {
             var wide:Number = horizontalLength();
-            var isTooLevel:Boolean = _fallSlope > 0 && -motion.z < _fallSlope * wide * (1 - STEEPNESS_ROUNDING);
+            var isTooLevel:Boolean = _fallSlope != NO_FALL && -motion.z < _fallSlope * wide * (1 - STEEPNESS_ROUNDING);
             if (wide > _maxHorizontal)
             {
                 motion.scaleBy(Math.max(0, _maxHorizontal / wide));

@@ -33,7 +33,7 @@ package starlogo.queries.motion
         /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */
         public var start:Vector3D = new Vector3D();
 
-        /** The pushes out of shallow overlaps: each along the normal of a contact, a clearance farther than its depth. */
+        /** The pushes out of shallow overlaps: each along the normal of a contact, by its depth. */
         public var pushes:ContactList = new ContactList();
 
         /** The contacts of overlaps that stay (deep, or without a way out), and those that a slide has met. The motion must not cross their planes. */

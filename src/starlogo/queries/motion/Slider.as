@@ -15,8 +15,11 @@ package starlogo.queries.motion
      */
     public final class Slider
     {
-        /** The least z of the normal of a horizontal floor. */
-        public static const HORIZONTAL_Z:Number = 1 - 1e-12;
+        // The least z of the normal of a horizontal floor, which has rounding errors.
+        private static const HORIZONTAL_Z:Number = 1 - 1e-12;
+
+        // In place of the least z of a floor's normal, for a slide that makes nothing a floor or a wall.
+        private static const NO_FLOORS:Number = 0;
 
         // If the next row is met within this many slops, this is the same corner.
         private static const SAME_CORNER:Number = 4;
@@ -44,20 +47,40 @@ package starlogo.queries.motion
         private var _straight:MotionResult = new MotionResult();
 
         /**
-         * Computes a motion that slides along what it meets.
+         * Slides along all that it meets, wherever that leads.
          *
          * @param rows the rows that may be in its way
          * @param from where it begins
          * @param motion the whole motion
-         * @param minFloorNormalZ the least z of the normal of a floor. What is steeper is an upright wall. With HORIZONTAL_Z a horizontal motion ends as
-         *     high as it begins: the planes of overlaps at the start are upright walls too. With 0 there are no floors and no walls
-         * @param maxHorizontal the greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level
          */
-        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number = 0,
-                maxHorizontal:Number = Infinity):MotionResult
+        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):MotionResult
         {
-            _remaining.begin(motion, maxHorizontal, 0);
-            return slideRemaining(body, rows, from, motion, minFloorNormalZ);
+            return goOn(begin(body, rows, from, motion, Infinity, RemainingMotion.NO_FALL), motion, NO_FLOORS);
+        }
+
+        /**
+         * Slides among the body's own rows up and down on floors, and along what is too steep for a floor as along an upright wall.
+         *
+         * @param minFloorNormalZ the least z of the normal of a floor
+         * @param maxHorizontal the greatest length of its way on the ground plane. A floor can turn a motion up or down more level
+         */
+        public function slideOnFloors(body:MovingBody, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number, maxHorizontal:Number):MotionResult
+        {
+            return goOn(begin(body, body.rows, from, motion, maxHorizontal, RemainingMotion.NO_FALL), motion, minFloorNormalZ);
+        }
+
+        /**
+         * Slides among the body's own rows at one height. All that it meets is an upright wall, except of horizontal floors. So are the planes of overlaps
+         * at the start.
+         *
+         * @param motion the whole motion, which is horizontal
+         * @param maxLength the greatest length of its way
+         */
+        public function slideLevel(body:MovingBody, from:Vector3D, motion:Vector3D, maxLength:Number = Infinity):MotionResult
+        {
+            var first:Impact = begin(body, body.rows, from, motion, maxLength, RemainingMotion.NO_FALL);
+            makePlanesUpright();
+            return goOn(first, motion, HORIZONTAL_Z);
         }
 
         /**
@@ -70,26 +93,31 @@ package starlogo.queries.motion
         public function slideDown(body:MovingBody, from:Vector3D, depth:Number, minFloorNormalZ:Number, maxHorizontal:Number):MotionResult
         {
             _vertical.z = -depth;
-            _remaining.begin(_vertical, maxHorizontal, Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ);
-            return slideRemaining(body, body.rows, from, _vertical, 0);
+            var fallSlope:Number = Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ;
+            return goOn(begin(body, body.rows, from, _vertical, maxHorizontal, fallSlope), _vertical, NO_FLOORS);
         }
 
-        // Slides along what remains of the motion, which the caller has begun. The parameters are those of slide().
-        private function slideRemaining(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, minFloorNormalZ:Number):MotionResult
+        // Begins a slide. The last two parameters are those of RemainingMotion.begin(). Returns what stops it first, or null if nothing does or there are
+        // planes.
+        private function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, maxHorizontal:Number, fallSlope:Number):Impact
+        {
+            _remaining.begin(motion, maxHorizontal, fallSlope);
+            var first:Impact = sweep.begin(body, rows, from, _remaining.motion);
+            _slid.wallRow = -1;
+            _slid.row = -1;
+            _slid.startsPenetrating = sweep.planes.count > 0;
+            _slid.place.copyFrom(sweep.start);
+            return first;
+        }
+
+        // Goes on with a slide from impact to impact. What is too steep for a floor is an upright wall.
+        private function goOn(first:Impact, motion:Vector3D, minFloorNormalZ:Number):MotionResult
         {
             var result:MotionResult = _slid;
-            result.wallRow = -1;
-            result.row = -1;
-            var impact:Impact = sweep.begin(body, rows, from, _remaining.motion);
-            result.startsPenetrating = sweep.planes.count > 0;
-            result.place.copyFrom(sweep.start);
+            var impact:Impact = first;
             if (result.startsPenetrating)
             {
                 _remaining.beginCorner();
-                if (minFloorNormalZ == HORIZONTAL_Z)
-                {
-                    makePlanesUpright();
-                }
                 impact = projectAndSweep(result.place);
             }
             // the planes from this index on belong to the corner where the body is
@@ -155,12 +183,16 @@ package starlogo.queries.motion
                 out.contact.copyFrom(contact);
                 out.row = impact.row;
             }
-            if (minFloorNormalZ > 0 && contact.normalZ < minFloorNormalZ)
+            if (minFloorNormalZ == NO_FLOORS)
+            {
+                return;
+            }
+            if (contact.normalZ < minFloorNormalZ)
             {
                 out.wallRow = impact.row;
                 makeUpright(contact);
             }
-            else if (minFloorNormalZ > 0)
+            else
             {
                 _remaining.liftOverPlane(contact);
             }

@@ -18,8 +18,8 @@ package starlogo.queries.motion
      * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls. The method
      * <code>plan()</code> shows the order.
      *
-     * <p>Steps take the walk to its next place, <code>WalkState.place</code>, and return whether the agent stands there. Then the walk has the floor too. If the
-     * agent does not stand after a method that begins with "try", here or in FloorFinder, the walk is where it was.</p>
+     * <p>A walk is a WalkState, which each method takes on to its next place and floor. A method that begins with "try", here or in FloorFinder, returns
+     * whether the agent stands then. If it does not, the walk is as it was.</p>
      *
      * @private
      */
@@ -57,12 +57,13 @@ package starlogo.queries.motion
         /**
          * @param seen has the rows
          * @param slider moves the agent
+         * @param platforms carries and lifts the agent
          */
-        public function WalkPlanner(seen:SeenAgents, slider:Slider)
+        public function WalkPlanner(seen:SeenAgents, slider:Slider, platforms:PlatformCarry)
         {
             _slider = slider;
             _walkPool = new NestedPool(seen, WalkState);
-            _platforms = new PlatformCarry(seen, slider);
+            _platforms = platforms;
             _floorFinder = new FloorFinder(seen, slider);
         }
 
@@ -80,10 +81,11 @@ package starlogo.queries.motion
         {
             var walk:WalkState = WalkState(_walkPool.top);
             begin(agent, dx, dy, options, walk);
-            var beginsStanding:Boolean = pushOutAndStand(walk);
-            if (!walkSubsteps(walk, beginsStanding) && !fall(walk))
+            pushOut(walk);
+            walkSubsteps(walk);
+            if (!walk.stands)
             {
-                walk.floorRow = -1;
+                fall(walk);
             }
             _slider.depenetration.restoreClearance(walk.body, walk.place);
             return walk;
@@ -99,6 +101,7 @@ package starlogo.queries.motion
             walk.substepCount = Math.min(MAX_SUBSTEPS, Math.max(1, Math.ceil(length / agent.size)));
             walk.substepMotion.setTo(dx / walk.substepCount, dy / walk.substepCount, 0);
             walk.substepLength = length / walk.substepCount;
+            walk.floorRow = walk.wallRow = -1;
             _platforms.find(agent, walk);
             body.turn(walk.carryTurn);
             walk.place.copyFrom(body.from);
@@ -127,8 +130,8 @@ package starlogo.queries.motion
             return Math.max(FLOOR_DISTANCE * walk.body.extent, FLOOR_SLOPS * walk.body.maxSlop(walk.substepLength, largest));
         }
 
-        // Pushes the agent out of what it overlaps, and lets it stand on the floor there. Returns whether it stands.
-        private function pushOutAndStand(walk:WalkState):Boolean
+        // Pushes the agent out of what it overlaps, and lets it stand if there is a floor.
+        private function pushOut(walk:WalkState):void
         {
             walk.substepStart.copyFrom(walk.place);
             var lift:Number = liftByPlatforms(walk);
@@ -143,7 +146,7 @@ package starlogo.queries.motion
             _motion.decrementBy(walk.substepStart);
             walk.pushed = _motion.length;
             walk.substepStart.copyFrom(walk.place);
-            return _floorFinder.tryStandAtEnd(walk, down);
+            _floorFinder.tryStandAtEnd(walk, down);
         }
 
         // Lifts the agent with one-way rows that have risen into it, if there is room. Returns how far they lead.
@@ -179,75 +182,76 @@ package starlogo.queries.motion
             }
         }
 
-        // Goes all substeps: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
-        private function walkSubsteps(walk:WalkState, beginsStanding:Boolean):Boolean
+        // Goes all substeps: along the ground where the agent stands, else through the air.
+        private function walkSubsteps(walk:WalkState):void
         {
-            var stands:Boolean = beginsStanding;
             var startX:Number = walk.substepStart.x;
             var startY:Number = walk.substepStart.y;
-            walk.wallRow = -1;
+            var beginsStanding:Boolean = walk.stands;
             for (var i:int = 0; i < walk.substepCount; i++)
             {
                 if (i > 0)
                 {
                     walk.substepStart.copyFrom(walk.place);
-                    // beyond a gap there may be ground again
-                    stands ||= beginsStanding && _floorFinder.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
                 }
-                if (stands)
+                // beyond a gap there may be ground again
+                if (walk.stands || (beginsStanding && _floorFinder.tryStandBelow(walk, walk.place)))
                 {
-                    stands = walkOnGround(walk);
+                    walkOnGround(walk);
                 }
                 else
                 {
-                    // in the air all surfaces are walls, except of horizontal floors
-                    var slid:MotionResult = slideAlong(walk, walk.substepStart, 0, Slider.HORIZONTAL_Z);
-                    endSubstep(walk, slid);
-                    if (slid.startsPenetrating && slid.fraction == 0)
-                    {
-                        // what wedges the agent may lead it up, but not down
-                        slid = slideAlong(walk, walk.substepStart, 0, 0);
-                        if (slid.place.z > walk.place.z)
-                        {
-                            endSubstep(walk, slid);
-                        }
-                    }
+                    walkInAir(walk);
                 }
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
             walk.part = walk.substepLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.substepCount * walk.substepLength)) : 1;
-            return stands;
         }
 
-        // Goes a substep along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground.
-        // Returns whether it stands then.
-        private function walkOnGround(walk:WalkState):Boolean
+        // Goes a substep along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground,
+        // or stands no more.
+        private function walkOnGround(walk:WalkState):void
         {
             if (walk.substepLength == 0)
             {
                 // it stays exactly where it is
                 walk.place.copyFrom(walk.substepStart);
-                return true;
+                return;
             }
             // the slide begins along the ground below the agent
             var normal:Vector3D = walk.floorNormal;
             var slopeZ:Number = -(normal.x * walk.substepMotion.x + normal.y * walk.substepMotion.y) / normal.z;
             var wallBefore:int = walk.wallRow;
-            var slid:MotionResult = slideAlong(walk, walk.place, slopeZ, walk.minFloorNormalZ);
+            var slid:MotionResult = slideOnFloors(walk, walk.place, slopeZ);
             endSubstep(walk, slid);
-            if (slid.wallRow >= 0 && tryStepUp(walk, wallBefore))
+            if (slid.wallRow < 0 || !tryStepUp(walk, wallBefore))
             {
-                return true;
+                // the ground may have led up only for a part of the substep: on a ramp, and over the edge of a step
+                _floorFinder.tryStandBelow(walk, walk.place, Math.max(0, walk.place.z - walk.substepStart.z) + walk.options.snap);
             }
-            // the ground may have led up only for a part of the substep: on a ramp, and over the edge of a step
-            var height:Number = Math.max(0, walk.place.z - walk.substepStart.z);
-            return _floorFinder.tryStandBelow(walk, walk.place, height + walk.options.snap + walk.maxFloorDistance);
         }
 
-        // Ends a substep where its slide ended.
+        // Goes a substep through the air, where all surfaces are walls, except of horizontal floors. The agent keeps its height.
+        private function walkInAir(walk:WalkState):void
+        {
+            var slid:MotionResult = _slider.slideLevel(walk.body, walk.substepStart, walk.substepMotion, walk.substepLength);
+            endSubstep(walk, slid);
+            if (slid.startsPenetrating && slid.fraction == 0)
+            {
+                // what wedges the agent may lead it up, but not down
+                slid = _slider.slide(walk.body, walk.body.rows, walk.substepStart, walk.substepMotion);
+                if (slid.place.z > walk.place.z)
+                {
+                    endSubstep(walk, slid);
+                }
+            }
+        }
+
+        // Takes a walk to where the slide of a substep ended. Whether the agent stands there is not known yet.
         private static function endSubstep(walk:WalkState, slid:MotionResult):void
         {
+            walk.floorRow = -1;
             walk.place.copyFrom(slid.place);
             walk.wallRow = slid.wallRow >= 0 ? slid.wallRow : walk.wallRow;
         }
@@ -262,7 +266,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            var slid:MotionResult = slideAlong(walk, up.place, 0, walk.minFloorNormalZ);
+            var slid:MotionResult = slideOnFloors(walk, up.place, 0);
             if (!isFarther(walk, slid.place))
             {
                 return false;
@@ -293,65 +297,63 @@ package starlogo.queries.motion
             var end:Vector3D = _slider.slideDown(walk.body, from, depth, walk.minFloorNormalZ, walk.substepLength).place;
             var dx:Number = end.x - walk.substepStart.x;
             var dy:Number = end.y - walk.substepStart.y;
-            return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, end)
-                && _floorFinder.tryStandBelow(walk, end, walk.maxFloorDistance);
+            return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, end) && _floorFinder.tryStandBelow(walk, end);
         }
 
-        // Falls until something stops the agent, and slides down what is too steep. If nothing stops an endless fall, it ends where it began. Returns whether the
-        // agent stands then. While its model is loading it does not fall.
-        private function fall(walk:WalkState):Boolean
+        // Falls until something stops the agent, and slides down what is too steep. If nothing stops an endless fall, it ends where it began. While the
+        // agent's model is loading it does not fall.
+        private function fall(walk:WalkState):void
         {
-            var body:MovingBody = walk.body;
-            if (!body.hasShape)
+            if (!walk.body.hasShape)
             {
-                return false;
+                return;
             }
             // It goes in drops that get longer, because rounding errors grow with the length of a motion. It goes no farther than to where it is below all that is
             // near: walls of the ground have no lower end, and a very long wall would have errors as large as a floor.
-            var depthBelowAll:Number = Math.max(body.extent, walk.place.z + body.fullBody.offsetZ + body.extent - lowestOf(body));
+            var depthLeft:Number = depthBelowAll(walk);
             var fallLeft:Number = walk.options.fall;
             var from:Vector3D = walk.place;
-            for (var drop:Number = 1; fallLeft > 0 && depthBelowAll > 0; drop *= 2)
+            for (var drop:Number = 1; fallLeft > 0 && depthLeft > 0; drop *= 2)
             {
-                var depth:Number = Math.min(fallLeft, Math.min(drop, depthBelowAll));
-                var down:MotionResult = _slider.moveVertically(body, from, -depth);
+                var depth:Number = Math.min(fallLeft, Math.min(drop, depthLeft));
+                var down:MotionResult = _slider.moveVertically(walk.body, from, -depth);
                 // the touch counts, not the clearance before it
                 fallLeft -= down.fraction * depth;
-                depthBelowAll -= depth;
+                depthLeft -= depth;
                 if (down.hasContact)
                 {
-                    return settle(walk, down, fallLeft);
+                    settle(walk, down, fallLeft);
+                    return;
                 }
                 from = down.place;
             }
-            if (fallLeft == Infinity)
+            if (fallLeft < Infinity)
             {
-                return false;
+                walk.place.setTo(from.x, from.y, from.z - fallLeft);
+                // a fall can also end where the ground begins, without being stopped
+                _floorFinder.tryStandBelow(walk, walk.place);
             }
-            walk.place.setTo(from.x, from.y, from.z - fallLeft);
-            // a fall can also end where the ground begins, without being stopped
-            return _floorFinder.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
         }
 
-        // The lowest height of the rows near a walk. Below it, only walls of the ground are left.
-        private static function lowestOf(body:MovingBody):Number
+        // How far down the agent is below all rows near its walk. From there on, only walls of the ground are left.
+        private static function depthBelowAll(walk:WalkState):Number
         {
+            var body:MovingBody = walk.body;
             var lowest:Number = Infinity;
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var other:Body = body.bodyOf(body.rows.values[i]);
                 lowest = Math.min(lowest, other.kind == ModelShape.GROUND ? other.shape.grid.pyramid.whole.min : other.middleZ - other.halfZ);
             }
-            return lowest;
+            return Math.max(body.extent, walk.place.z + body.fullBody.offsetZ + body.extent - lowest);
         }
 
-        // Lets the agent stand on what has stopped its fall. If that is too steep, it slides down there, at most as far as it may still fall. Returns whether it
-        // stands.
-        private function settle(walk:WalkState, stop:MotionResult, fallLeft:Number):Boolean
+        // Lets the agent stand on what has stopped its fall. If that is too steep, it slides down there, at most as far as it may still fall.
+        private function settle(walk:WalkState, stop:MotionResult, fallLeft:Number):void
         {
             if (_floorFinder.tryStandOn(walk, stop, stop.place))
             {
-                return true;
+                return;
             }
             var depth:Number = maxSlideDepth(walk);
             var end:Vector3D = _slider.slideDown(walk.body, stop.place, Math.min(fallLeft, depth), walk.minFloorNormalZ, depth / 2).place;
@@ -359,7 +361,7 @@ package starlogo.queries.motion
             {
                 walk.place.copyFrom(end);
             }
-            return _floorFinder.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
+            _floorFinder.tryStandBelow(walk, walk.place);
         }
 
         // How far down the slide after a fall may lead. Sideways it may lead half as far.
@@ -368,11 +370,11 @@ package starlogo.queries.motion
             return Math.min(walk.options.fall, walk.body.fullBody.placement.size);
         }
 
-        // Slides along the way of a substep, and up or down.
-        private function slideAlong(walk:WalkState, from:Vector3D, dz:Number, minFloorNormalZ:Number):MotionResult
+        // Slides on floors along the way of a substep, and up or down.
+        private function slideOnFloors(walk:WalkState, from:Vector3D, dz:Number):MotionResult
         {
             _motion.setTo(walk.substepMotion.x, walk.substepMotion.y, dz);
-            return _slider.slide(walk.body, walk.body.rows, from, _motion, minFloorNormalZ, walk.substepLength);
+            return _slider.slideOnFloors(walk.body, from, _motion, walk.minFloorNormalZ, walk.substepLength);
         }
     }
 }

@@ -1,17 +1,22 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.geometry.copyVector;
+    import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
 
     /**
-     * A walk, as a record: what the options mean for this agent, how far it has come, and on what it stood last. The WalkPlanner writes it. The
+     * A walk, as a record: what the options mean for this agent, how far it has come, and on what it stands. The WalkPlanner writes it. The
      * FloorFinder writes the place and the floor where the agent can stand.
      *
      * @private
      */
     public final class WalkState
     {
+        private static const UP:Vector3D = new Vector3D(0, 0, 1);
+
         /** The options of the walk, a copy: a filter's <code>accepts</code> may change those of the game. */
         public var options:WalkOptions = new WalkOptions();
 
@@ -44,7 +49,7 @@ package starlogo.queries.motion
         /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();
 
-        /** The row that the agent stood on last, and the normal of its surface there. At the end of the walk it is -1 if the agent does not stand. */
+        /** The row that the agent stands on, and the normal of its surface there. The row is -1 if it does not stand. */
         public var floorRow:int = -1;
         public var floorNormal:Vector3D = new Vector3D();
 
@@ -59,6 +64,24 @@ package starlogo.queries.motion
         public function WalkState(seen:SeenAgents)
         {
             body = new MovingBody(seen);
+        }
+
+        /** Whether the agent stands. */
+        public function get stands():Boolean
+        {
+            return floorRow >= 0;
+        }
+
+        /** Writes how the agent stands now, with its agents by row. Returns the footing. */
+        public function writeFooting(agents:Vector.<Agent>, out:Footing):Footing
+        {
+            out.stands = stands;
+            out.on = stands ? agents[floorRow] : null;
+            out.against = wallRow >= 0 ? agents[wallRow] : null;
+            out.part = part;
+            out.pushed = pushed;
+            copyVector(stands ? floorNormal : UP, out.normal);
+            return out;
         }
     }
 }

@@ -70,6 +70,18 @@ package starlogo.queries.rays
             contact.triangle = entry.triangle;
         }
 
+        /** Adds the hits of a ray with the surfaces of a row, after those of other rows. A surface at exactly the ray's end is hit. */
+        public function addSurfaces(row:int, ray:Ray, surfaces:SurfaceCrossings):void
+        {
+            for (var i:int = 0; i < surfaces.count; i++)
+            {
+                if (surfaces.surfaceAt(i).distance <= ray.to)
+                {
+                    add(row, ray, surfaces.surfaceAt(i));
+                }
+            }
+        }
+
         /** Ends the search. The answer has all hits of the collector's rows, sorted by distance. */
         public function end():void
         {

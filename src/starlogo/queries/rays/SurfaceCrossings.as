@@ -6,27 +6,41 @@ package starlogo.queries.rays
     import starlogo.intersection.ray.RayCrossings;
 
     /**
-     * The crossings of a ray with one shape, in the order of the ray, without those that are no surface of their own. AgentRays.castAll says the
-     * rules.
+     * The surfaces of one shape that a ray crosses, in the order of the ray: its crossings without those that are no surface of their own.
+     * AgentRays.castAll says the rules.
      *
      * @private
      */
     public final class SurfaceCrossings
     {
-        /** The indices of the crossings that are surfaces. */
-        public var indices:IntList = new IntList();
+        /** All crossings of the ray with the shape, in any order. Who finds them begins with none. */
+        public var crossings:RayCrossings = new RayCrossings();
+
+        // The indices of the crossings that are surfaces.
+        private var _indices:IntList = new IntList();
 
         // The indices of all crossings, in the order of the ray.
         private var _all:SortableIntList = new SortableIntList();
 
-        /**
-         * Finds the surfaces of a structure, or of nodes: where the ray enters the first of parts that overlap, and where it leaves the last.
-         *
-         * @param crossings where it enters and leaves each part
-         */
-        public function findOfSolids(crossings:RayCrossings):void
+        /** How many surfaces the ray crosses. */
+        public function get count():int
         {
-            _all.count = indices.count = 0;
+            return _indices.count;
+        }
+
+        /** One of them. */
+        public function surfaceAt(index:int):RayCrossing
+        {
+            return crossings.items[_indices.values[index]];
+        }
+
+        /**
+         * Finds the surfaces of a structure, or of nodes: where the ray enters the first of parts that overlap, and where it leaves the last. The
+         * crossings are those with each part.
+         */
+        public function findOfSolids():void
+        {
+            _all.count = _indices.count = 0;
             for (var k:int = 0; k < crossings.count; k++)
             {
                 _all.add(k, endKeyOf(crossings.items[k]));
@@ -56,7 +70,7 @@ package starlogo.queries.rays
                 }
                 if (isKept)
                 {
-                    indices.add(_all.values[i]);
+                    _indices.add(_all.values[i]);
                 }
             }
         }
@@ -72,13 +86,12 @@ package starlogo.queries.rays
         }
 
         /**
-         * Finds the surfaces of triangles: one of those that the ray meets at the same place from the same side, and one of those that it runs along.
-         *
-         * @param crossings where it crosses each triangle. The side of one may become that of another of the same surface
+         * Finds the surfaces of triangles: one of those that the ray meets at the same place from the same side, and one of those that it runs along. The
+         * crossings are those with each triangle. The side of one may become that of another of the same surface.
          */
-        public function findOfTriangles(crossings:RayCrossings):void
+        public function findOfTriangles():void
         {
-            _all.count = indices.count = 0;
+            _all.count = _indices.count = 0;
             for (var k:int = 0; k < crossings.count; k++)
             {
                 _all.add(k, crossings.items[k].distance);
@@ -99,22 +112,22 @@ package starlogo.queries.rays
                         continue;
                     }
                 }
-                if (!joinKept(crossings, index, mostSlack))
+                if (!joinKept(index, mostSlack))
                 {
                     mostSlack = Math.max(mostSlack, crossing.rounding);
-                    indices.add(index);
+                    _indices.add(index);
                 }
             }
         }
 
         // Joins a crossing to a kept one of the same surface. Returns whether there is one. As in ShearedRay, a triangle that the ray runs along
         // gives way to one that it crosses at the same place.
-        private function joinKept(crossings:RayCrossings, index:int, mostSlack:Number):Boolean
+        private function joinKept(index:int, mostSlack:Number):Boolean
         {
             var crossing:RayCrossing = crossings.items[index];
-            for (var k:int = indices.count - 1; k >= 0; k--)
+            for (var k:int = _indices.count - 1; k >= 0; k--)
             {
-                var kept:RayCrossing = crossings.items[indices.values[k]];
+                var kept:RayCrossing = crossings.items[_indices.values[k]];
                 var gap:Number = crossing.distance - kept.distance;
                 if (gap > crossing.rounding + mostSlack)
                 {
@@ -128,7 +141,7 @@ package starlogo.queries.rays
                         if (gap <= kept.rounding)
                         {
                             // none is kept between the two, because it would have joined the other one
-                            indices.values[k] = index;
+                            _indices.values[k] = index;
                         }
                     }
                     return true;

@@ -88,11 +88,11 @@ package starlogo.queries.motion
             var body:MovingBody = new MovingBody(seen);
             body.setToAgent(agent);
             body.collectRowsWithin(1, 0, 0, null);
-            for each (var minFloorNormalZ:Number in [0, Slider.HORIZONTAL_Z])
-            {
-                var result:MotionResult = slider.slide(body, body.rows, new Vector3D(1.2, 0, 0), new Vector3D(0.5, 0, 0), minFloorNormalZ);
-                assertEquals(minFloorNormalZ > 0, Math.abs(result.place.z) < 1e-9);
-            }
+            var motion:Vector3D = new Vector3D(0.5, 0, 0);
+            var rises:Number = slider.slide(body, body.rows, body.from, motion).place.z;
+            assertTrue("the rock leads it up by " + rises, Math.abs(rises) > 1e-9);
+            var result:MotionResult = slider.slideLevel(body, body.from, motion);
+            assertTrue("it rises by " + result.place.z, Math.abs(result.place.z) < 1e-9);
         }
     }
 }

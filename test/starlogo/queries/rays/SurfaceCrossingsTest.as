@@ -24,7 +24,8 @@ package starlogo.queries.rays
             var count:int = Effort.choose(5000, 100000, 500);
             for (var i:int = 0; i < count; i++)
             {
-                var crossings:RayCrossings = new RayCrossings();
+                var crossings:RayCrossings = _surfaces.crossings;
+                crossings.count = 0;
                 var all:Array = [];
                 for (var k:int = _random.integer(1, 6); k > 0; k--)
                 {
@@ -35,13 +36,13 @@ package starlogo.queries.rays
                     crossing.side = _random.pick([RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.EDGE_ON]);
                     all.push(crossing.distance + " with " + crossing.rounding + " from " + crossing.side);
                 }
-                _surfaces.findOfTriangles(crossings);
-                joined += crossings.count - _surfaces.indices.count;
-                var said:String = "crossings " + i + ": " + all.join() + ", left " + _surfaces.indices.values.slice(0, _surfaces.indices.count).join();
-                wrong.addIf(!areInOrder(crossings), "the order", said);
+                _surfaces.findOfTriangles();
+                joined += crossings.count - _surfaces.count;
+                var said:String = "crossings " + i + ": " + all.join() + ", left at " + surfaceDistances().join();
+                wrong.addIf(!areInOrder(), "the order", said);
                 for (k = 0; k < crossings.count; k++)
                 {
-                    wrong.addIf(!isThere(crossings, k), "what is left out", said);
+                    wrong.addIf(!isThere(crossings.items[k]), "what is left out", said);
                 }
             }
             wrong.assertNone();
@@ -52,7 +53,7 @@ package starlogo.queries.rays
         [Test]
         public function whereTheRayBeginsInsideIsOneSurface():void
         {
-            var crossings:RayCrossings = new RayCrossings();
+            var crossings:RayCrossings = _surfaces.crossings;
             var sides:Array = [RayCrossing.INSIDE, RayCrossing.ENTERS, RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.LEAVES, RayCrossing.ENTERS];
             var distances:Array = [0, 0, 0.5, 5, 6, 8];
             for (var i:int = 0; i < sides.length; i++)
@@ -62,31 +63,42 @@ package starlogo.queries.rays
                 crossing.rounding = i < 2 ? 0 : 1;
                 crossing.side = sides[i];
             }
-            _surfaces.findOfSolids(crossings);
-            assertEquals("0,4,5", _surfaces.indices.values.slice(0, _surfaces.indices.count).join());
+            _surfaces.findOfSolids();
+            assertEquals("0,6,8", surfaceDistances().join());
         }
 
-        private function areInOrder(crossings:RayCrossings):Boolean
+        private function surfaceDistances():Array
         {
-            for (var i:int = 1; i < _surfaces.indices.count; i++)
+            var found:Array = [];
+            for (var i:int = 0; i < _surfaces.count; i++)
             {
-                if (!(crossings.items[_surfaces.indices.values[i]].distance >= crossings.items[_surfaces.indices.values[i - 1]].distance) || _surfaces.indices.values[i] == _surfaces.indices.values[i - 1])
+                found.push(_surfaces.surfaceAt(i).distance);
+            }
+            return found;
+        }
+
+        private function areInOrder():Boolean
+        {
+            for (var i:int = 1; i < _surfaces.count; i++)
+            {
+                var before:RayCrossing = _surfaces.surfaceAt(i - 1);
+                if (!(_surfaces.surfaceAt(i).distance >= before.distance) || _surfaces.surfaceAt(i) === before)
                 {
                     return false;
                 }
             }
-            return _surfaces.indices.count > 0;
+            return _surfaces.count > 0;
         }
 
         // Whether a crossing is left, or one that may be of the same surface: not farther away than some slacks, and not seen from the other side.
-        private function isThere(crossings:RayCrossings, index:int):Boolean
+        private function isThere(crossing:RayCrossing):Boolean
         {
-            for (var i:int = 0; i < _surfaces.indices.count; i++)
+            for (var i:int = 0; i < _surfaces.count; i++)
             {
-                var other:int = _surfaces.indices.values[i];
-                var isNear:Boolean = Math.abs(crossings.items[other].distance - crossings.items[index].distance) <= MOST_SLACKS;
-                var runsAlong:Boolean = crossings.items[other].side == RayCrossing.EDGE_ON || crossings.items[index].side == RayCrossing.EDGE_ON;
-                if (crossings.items[other].side == crossings.items[index].side ? isNear || runsAlong : isNear && runsAlong)
+                var other:RayCrossing = _surfaces.surfaceAt(i);
+                var isNear:Boolean = Math.abs(other.distance - crossing.distance) <= MOST_SLACKS;
+                var runsAlong:Boolean = other.side == RayCrossing.EDGE_ON || crossing.side == RayCrossing.EDGE_ON;
+                if (other.side == crossing.side ? isNear || runsAlong : isNear && runsAlong)
                 {
                     return true;
                 }

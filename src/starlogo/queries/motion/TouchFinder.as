@@ -17,7 +17,7 @@ package starlogo.queries.motion
      *
      * @private
      */
-    public final class TouchSweep
+    public final class TouchFinder
     {
         // The number of places that are tried in order to find one at which the two touch, half a gap apart. A sweep may end some 30 gaps before a triangle
         // of the ground, and some 40 before the touch of a point.

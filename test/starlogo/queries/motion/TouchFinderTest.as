@@ -28,7 +28,7 @@ package starlogo.queries.motion
     use namespace engine;
 
     /** Which triangle a motion's contact has: the one that the sweep met, or none if the motion begins deep. */
-    public class TouchSweepTest
+    public class TouchFinderTest
     {
         // Triangles whose distances from the contact differ by less have the contact both.
         private static const TIE:Number = 1e-7;
@@ -38,7 +38,7 @@ package starlogo.queries.motion
         private var _model:Model = BuiltInModel.sphere();
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
         private var _body:MovingBody = new MovingBody(_seen);
-        private var _sweep:TouchSweep = new TouchSweep();
+        private var _finder:TouchFinder = new TouchFinder();
         private var _result:MotionResult;
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _wrong:Complaints = new Complaints();
@@ -124,7 +124,7 @@ package starlogo.queries.motion
             _body.setToStructure(new Sphere(from, 0.1));
             _body.aim(motion.x, motion.y, motion.z);
             _body.collectRowsAlong(null);
-            _result = _sweep.findTouches(_body);
+            _result = _finder.findTouches(_body);
         }
 
         private function compare(make:Function):void
@@ -146,7 +146,7 @@ package starlogo.queries.motion
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
                 _body.aim(motion.x, motion.y, motion.z);
                 _body.collectRowsAlong(null);
-                _result = _sweep.findTouches(_body);
+                _result = _finder.findTouches(_body);
                 if (_result.row >= 0)
                 {
                     check(_seen.table.bodyOf(_result.row));

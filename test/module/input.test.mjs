@@ -456,7 +456,7 @@ test("while a game is developed, an error about a value in a literal names the c
 	refused(() => (collision.filter = filter), `Collision.filter.${meant}`);
 	refused(() => new WalkOptions({ filter }), `new WalkOptions: settings.filter.${meant}`);
 	refused(() => (new AgentFilter().breeds = "coins"), `AgentFilter.${meant}`);
-	refused(() => queries.walk(walker, 1, 0, { stepHeight: -1 }), "AgentQueries.walk: options.stepHeight must be between 0 and 1000000000: -1");
+	refused(() => queries.walk(walker, 1, 0, { stepHeight: -1 }), "AgentQueries.walk: options.stepHeight must be between 0 and 1000000000, not -1");
 	refused(() => queries.near(walker, 5, { except: ["coins"] }), 'AgentQueries.near: filter.except[0] must be an Agent, not "coins"');
 	refused(() => collision.snapshot({ traits: true }), "Collision.snapshot: options.traits is no option; the nearest is withTraits; there are withTraits, withGround");
 	refused(() => collision.update("coins"), 'Collision.update: agents must be an array, not "coins"');

@@ -94,7 +94,7 @@ package starlogo.models
         {
             for each (var wrong:Number in [0, -1, NaN, Infinity, -Infinity, 1.1e9])
             {
-                var told:String = " must be positive and at most 1000000000: " + wrong;
+                var told:String = " must be positive and at most 1000000000, not " + wrong;
                 assertThrows(RangeError, "model \"capsule\": a capsule's radius" + told, BuiltInModel.capsule, wrong, 2);
                 assertThrows(RangeError, "model \"hero\": a capsule's height" + told, BuiltInModel.capsule, 1, wrong, "hero");
                 assertThrows(RangeError, "model \"box\": a box's x" + told, BuiltInModel.box, wrong, 1, 1);

@@ -19,10 +19,13 @@ const $undoneMoves = /* @__PURE__ */ new WeakMap();
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
+/** The models of levelFromObject. */
+export const $levels = /* @__PURE__ */ new WeakSet();
+
 /** The adapter's warnings: see Model.$internals. */
 export function $warningsForAdapters() {
 	return {
-		keepSource: $keepSource, keepPose: $keepPose, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
+		keepSource: $keepSource, keepLevel: $keepLevel, keepPose: $keepPose, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
 		placeIfFirst: $placeIfFirst, ofFirstUpdate: $warnOfFirstUpdate, ofUpdateObject: $warnOfUpdateObject, placeIfMoved: $placeIfMoved, ofUpdateAgent: $warnOfUpdateAgent, errorOfVertex: $errorOfVertex,
 		requireSkeletons: $requireSkeletons,
 	};
@@ -31,6 +34,11 @@ export function $warningsForAdapters() {
 /** Keeps of which source a model was made. */
 function $keepSource(source, model) {
 	$sources.set(source, { name: model.name, matrix: model.source.matrix.rawData });
+}
+
+/** Keeps that a model is of levelFromObject. */
+function $keepLevel(model) {
+	$levels.add(model);
 }
 
 /**
@@ -70,9 +78,10 @@ function $warnOfScale(agent, object) {
 		+ "Put the mesh into a Group, make the model of the group, and bind the group", `scale of ${agent.shape}`);
 }
 
-/** Warns of an InstancedMesh that is bound as a whole to an agent with the model of one of its instances. */
-function $warnOfInstances(agent, { isInstancedMesh, count, geometry }) {
-	if (!isInstancedMesh || count < 2 || $sources.get(geometry)?.name !== agent.shape) return;
+/** Warns of an InstancedMesh that is bound as a whole to an agent with the model of one of its instances, or without a model. */
+function $warnOfInstances(agent, mesh, model) {
+	const { isInstancedMesh, count, geometry } = mesh;
+	if (!isInstancedMesh || count < 2 || $sources.has(mesh) || model !== null && $sources.get(geometry)?.name !== agent.shape) return;
 	$warn(`new ThreeAgentBinding(agent, mesh) moves all ${count} instances of the mesh of ${agent}. To move one of them, take `
 		+ "bindInstance(agent, mesh, index, model)", `instances of ${agent.shape}`);
 }

@@ -80,7 +80,7 @@ package starlogo.terrain
             var data:Object = picture != null && "data" in picture ? picture.data : null;
             if (picture == null || !(picture.width > 0) || (data == null && !("getPixel" in picture)))
             {
-                throw new ArgumentError("picture must have width, height and data, as an ImageData, or be a BitmapData, not " + textOf(picture));
+                throw new ArgumentError("picture must be a BitmapData or an ImageData, not " + textOf(picture));
             }
             requireInWorld("the height of white", height, 0, 0);
             var terrain:Terrain = new Terrain(picture.width, picture.height, cellWidth, x, y);

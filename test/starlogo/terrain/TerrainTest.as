@@ -318,7 +318,7 @@ package starlogo.terrain
             }
             for each (var noPicture:Object in [null, {}, {width:2, height:2, data:null}, {width:2, height:2}])
             {
-                assertThrows(ArgumentError, /^picture must have width, height and data, as an ImageData, or be a BitmapData, not /, Terrain.fromPicture, noPicture, 1);
+                assertThrows(ArgumentError, /^picture must be a BitmapData or an ImageData, not /, Terrain.fromPicture, noPicture, 1);
             }
             assertThrows(ArgumentError, /too little data: 15/, Terrain.fromPicture, {width: 2, height: 2, data: picture.data.slice(1)}, 1);
             for each (var height:Number in [NaN, Infinity, -Infinity, 1.1e9])

@@ -1,8 +1,8 @@
 /** What the adapter to three.js draws elsewhere than it collides, or cannot read. The adapter calls these functions itself. */
 import { $keepPose } from "./poses.mjs";
 import { $putAtOrigin } from "./shots.mjs";
-import { $restored } from "./snapshots.mjs";
-import { $distance, $placeOf, $rounded, $warn } from "./warn.mjs";
+import { $restored, $restores } from "./snapshots.mjs";
+import { $distance, $getOrInsert, $placeOf, $rounded, $warn } from "./warn.mjs";
 
 /** So many updates in turn that put an agent back to its object are no accident. */
 const $MANY_UNDONE = 10;
@@ -18,6 +18,9 @@ const $undoneMoves = /* @__PURE__ */ new WeakMap();
 
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
+
+/** Of an InstancedMesh that is bound as a whole: to which agent first, and how often Collisions had gone back then. */
+const $boundMeshes = /* @__PURE__ */ new WeakMap();
 
 /** The models of levelFromObject. */
 export const $levels = /* @__PURE__ */ new WeakSet();
@@ -78,10 +81,16 @@ function $warnOfScale(agent, object) {
 		+ "Put the mesh into a Group, make the model of the group, and bind the group", `scale of ${agent.shape}`);
 }
 
-/** Warns of an InstancedMesh that is bound as a whole to an agent with the model of one of its instances, or without a model. */
+/**
+ * Warns of an InstancedMesh that is bound as a whole to an agent with the model of one of its instances, or to a second agent without a model. After
+ * restore() a game may bind it anew.
+ */
 function $warnOfInstances(agent, mesh, model) {
 	const { isInstancedMesh, count, geometry } = mesh;
-	if (!isInstancedMesh || count < 2 || $sources.has(mesh) || model !== null && $sources.get(geometry)?.name !== agent.shape) return;
+	if (!isInstancedMesh || count < 2) return;
+	const first = $getOrInsert($boundMeshes, mesh, () => ({ agent, restores: $restores }));
+	const isShared = model === null && first.agent !== agent && first.restores === $restores;
+	if (!isShared && $sources.get(geometry)?.name !== agent.shape) return;
 	$warn(`new ThreeAgentBinding(agent, mesh) moves all ${count} instances of the mesh of ${agent}. To move one of them, take `
 		+ "bindInstance(agent, mesh, index, model)", `instances of ${agent.shape}`);
 }

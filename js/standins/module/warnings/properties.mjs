@@ -93,7 +93,7 @@ function $lookAtOwner(agent) {
 export function $lookAtFooting(footing) {
 	const names = Object.keys(new Footing());
 	for (const name of Object.keys(footing).filter((each) => !names.includes(each))) {
-		const meant = names.find((each) => each.length > 3 && ($isNear(name, each) || $withoutIs(name).startsWith(each.replace(/s$/, ""))));
+		const meant = names.find((each) => each.length > 3 && ($isSimilar(name, each) || $withoutIs(name).startsWith(each.replace(/s$/, ""))));
 		if (meant) $warn(`${name} is no property of a Footing that the engine reads; is ${meant} meant?`);
 	}
 }
@@ -210,14 +210,14 @@ function $meantBy(object, name) {
 	if (setters.includes(name)) return name;
 	const isLong = (setter) => Math.min(setter.length, name.length) > 3;
 	const isNumbered = (setter) => setter === name.replace(/\d+$/, "");
-	const near = setters.find((setter) => isLong(setter) && !isNumbered(setter) && $isNear(name, setter));
+	const near = setters.find((setter) => isLong(setter) && !isNumbered(setter) && $isSimilar(name, setter));
 	const other = object.constructor.name === "Collision" && name === "collider" ? "collisionSystem" : undefined;
 	const meant = near ?? ("sweeps" in object ? $OTHER_WORDS.get(name) : other);
 	return $isOfOwnClass(object, name, meant) ? undefined : meant;
 }
 
 /** Whether a name may be another one, misspelt. */
-function $isNear(name, other) {
+function $isSimilar(name, other) {
 	return $withoutIs(other) === $withoutIs(name) || $changesBetween(name, other) <= 1;
 }
 

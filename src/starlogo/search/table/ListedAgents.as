@@ -172,7 +172,7 @@ package starlogo.search.table
             {
                 first++;
             }
-            var why:String = list[first] === agent ? "" : ", which is a copy of its fields";
+            var why:String = list[first] === agent ? "" : ", a copy";
             return new ArgumentError(agent + " is listed twice: agents[" + first + "] and agents[" + index + "]" + why);
         }
 

@@ -177,10 +177,10 @@ test("a mesh or a material without a name has null in place of one", () => {
 
 test("a copy of an agent's fields is no agent, in every collider", () => {
 	const land = makeLand();
-	for (const collider of [new BinCollider(), new TightestFitCollider(land), new HierarchicalCollider(land), new CombinationCollider(land)]) {
+	for (const Collider of [BinCollider, TightestFitCollider, HierarchicalCollider, CombinationCollider]) {
 		const hero = new Agent("cube", "heroes");
 		for (const copy of [{ ...hero }, structuredClone({ ...hero }), JSON.parse(JSON.stringify(hero))]) {
-			for (const updated of [new Collision(collider), new AgentQueries(collider)]) refused(() => updated.update([hero, copy]), "agents[1] must be an Agent, not a plain object");
+			for (const updated of [new Collision(new Collider(land)), new AgentQueries(new Collider(land))]) refused(() => updated.update([hero, copy]), "agents[1] must be an Agent, not a plain object");
 		}
 	}
 	const hero = Object.assign(new Agent("cube", "heroes"), { size: 2, heading: 30, x: 4, sweeps: true });

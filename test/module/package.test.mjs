@@ -406,8 +406,8 @@ test("while a game is developed, names that do nothing are warned of when they a
 	const said = warningsOf(program);
 	const expected = [/sweep is no property of Agent .*is sweeps meant/, /collider is no property of Collision that the engine reads; is collisionSystem meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
 		/exact does nothing on a Collision: it is for a HierarchicalCollider/, /maxDepth does nothing on a BinCollider/,
-		/exact does nothing on a LevelCollider: set exact of its LevelShapes$/, /prepareexact is no property of GreatLand.*is prepareExact meant/, /isExact is no property of CombinationCollider.*is exact meant/,
-		/blocky is no property of Terrain.*is isBlocky meant/, /standing is no property of a Footing that the engine reads; is stands meant/, /rotation is no property of Bus that the engine reads; is heading, pitch/];
+		/exact does nothing on a LevelCollider: set exact of its LevelShapes$/, /prepareexact is no property of GreatLand.*is prepareExact meant/, /blocky is no property of Terrain.*is isBlocky meant/,
+		/isExact is no property of CombinationCollider.*is exact meant/, /standing is no property of a Footing that the engine reads; is stands meant/, /rotation is no property of Bus that the engine reads; is heading, pitch/];
 	assertEach(said, expected);
 });
 

@@ -2,7 +2,7 @@
 import { $keepPose } from "./poses.mjs";
 import { $putAtOrigin } from "./shots.mjs";
 import { $restored, $restores } from "./snapshots.mjs";
-import { $distance, $getOrInsert, $placeOf, $rounded, $warn } from "./warn.mjs";
+import { $distance, $placeOf, $rounded, $warn } from "./warn.mjs";
 
 /** So many updates in turn that put an agent back to its object are no accident. */
 const $MANY_UNDONE = 10;
@@ -19,7 +19,7 @@ const $undoneMoves = /* @__PURE__ */ new WeakMap();
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
-/** Of an InstancedMesh that is bound as a whole: to which agent first, and how often Collisions had gone back then. */
+/** Of an InstancedMesh that is bound as a whole: to which agent last, and how often Collisions had gone back then. */
 const $boundMeshes = /* @__PURE__ */ new WeakMap();
 
 /** The models of levelFromObject. */
@@ -88,8 +88,9 @@ function $warnOfScale(agent, object) {
 function $warnOfInstances(agent, mesh, model) {
 	const { isInstancedMesh, count, geometry } = mesh;
 	if (!isInstancedMesh || count < 2) return;
-	const first = $getOrInsert($boundMeshes, mesh, () => ({ agent, restores: $restores }));
-	const isShared = model === null && first.agent !== agent && first.restores === $restores;
+	const before = $boundMeshes.get(mesh);
+	$boundMeshes.set(mesh, { agent, restores: $restores });
+	const isShared = model === null && before && before.agent !== agent && before.restores === $restores;
 	if (!isShared && $sources.get(geometry)?.name !== agent.shape) return;
 	$warn(`new ThreeAgentBinding(agent, mesh) moves all ${count} instances of the mesh of ${agent}. To move one of them, take `
 		+ "bindInstance(agent, mesh, index, model)", `instances of ${agent.shape}`);

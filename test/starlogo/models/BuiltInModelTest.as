@@ -101,7 +101,7 @@ package starlogo.models
                 assertThrows(RangeError, "model \"box\": a box's y" + told, BuiltInModel.box, 1, wrong, 1);
                 assertThrows(RangeError, "model \"box\": a box's z" + told, BuiltInModel.box, 1, 1, wrong);
             }
-            assertThrows(RangeError, "a capsule's height includes its caps, so it must be at least twice its radius of 1: 1.5", BuiltInModel.capsule, 1, 1.5);
+            assertThrows(RangeError, "a capsule's height includes its caps, so it must be at least twice its radius of 1, not 1.5", BuiltInModel.capsule, 1, 1.5);
             assertThrows(ModelError, "", BuiltInModel.capsule, 1, 3, "");
             assertThrows(ModelError, "", BuiltInModel.box, 1, 1, 1, "");
         }

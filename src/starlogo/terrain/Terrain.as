@@ -58,7 +58,8 @@ package starlogo.terrain
             }
             if (!(cellWidth >= Agent.SMALLEST_SIZE && cellWidth <= Agent.LARGEST_COORDINATE))
             {
-                throw new RangeError("a terrain's cellWidth must be between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_COORDINATE + ", not " + cellWidth);
+                throw new RangeError("a terrain's cellWidth must be between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_COORDINATE + ", not "
+                        + cellWidth);
             }
             requireInWorld("the beginning of a terrain's blocks", x - cellWidth / 2, y - cellWidth / 2, 0);
             requireInWorld("the end of a terrain's blocks", x + (columns - 0.5) * cellWidth, y + (rows - 0.5) * cellWidth, 0);

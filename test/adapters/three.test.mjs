@@ -375,10 +375,20 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			new ThreeAgentBinding(new Agent("all of three"), mesh, modelFromObject("all of three", mesh));
 			bindInstance(new Agent("one of three"), mesh, 1, model).updateObject();
 			for (let i = 0; i < 2; i++) new ThreeAgentBinding(new Agent("one of three"), mesh, model);
+			for (let i = 0; i < 2; i++) new ThreeAgentBinding(new Agent("sparks"), sparks);
+			// a level in its own units, and the same with a size
+			const levels = new engine.GreatLand();
+			levels.addLevel(levelFromObject("scaled level", new THREE.Mesh(new THREE.BoxGeometry(4, 1, 4))));
+			for (const size of [1, 3]) {
+				const game = new Collision(new engine.CombinationCollider(levels));
+				const level = Object.assign(new Agent("scaled level"), { hierarchical: true, size });
+				for (let i = 0; i < 70; i++) game.update([level]);
+			}
 		});
 		const expected = [/restore\(\) has put agent \d+ .* back, and updateAgent\(\) undoes it.*binding\.updateObject\(\) after restore\(\)/, /was moved before each of 10 updateAgent\(\) in turn/,
 			/the object of agent \d+ .* was moved before each of 10 updateObject\(\) in turn/,
-			/updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /moves all 3 instances of the mesh of agent .*bindInstance/];
+			/updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /moves all 3 instances of the mesh of agent .*bindInstance/, /moves all 3 instances of the mesh of agent \d+ \(.*"sparks"\)/,
+			/shape "scaled level"\) has the size 3, and its model is of levelFromObject.* stays at the origin, with size 1/];
 		assert.equal(said.length, expected.length, said.join("\n"));
 		expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	});

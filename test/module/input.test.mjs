@@ -12,7 +12,7 @@ const folder = path.join(root, "bin/module");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
 const engine = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 const {
-	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, AgentRays, AgentMotions, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere, WalkOptions,
+	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, AgentRays, AgentMotions, BinCollider, Box, BuiltInModel, Collision, CombinationCollider, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere, WalkOptions,
 	Terrain, TightestFitCollider, Vector3D, sphereSphere,
 } = engine;
 
@@ -175,6 +175,23 @@ test("a mesh or a material without a name has null in place of one", () => {
 	refused(() => model.setMeshes([0, 1], ["roof", undefined]), "names[1] must be a string, not undefined");
 });
 
+test("a copy of an agent's fields is no agent, in every collider", () => {
+	const land = makeLand();
+	for (const Collider of [BinCollider, TightestFitCollider, HierarchicalCollider, CombinationCollider]) {
+		const hero = new Agent("cube", "heroes");
+		for (const copy of [{ ...hero }, structuredClone({ ...hero }), JSON.parse(JSON.stringify(hero))]) {
+			for (const updated of [new Collision(new Collider(land)), new AgentQueries(new Collider(land))]) refused(() => updated.update([hero, copy]), "agents[1] must be an Agent, not a plain object");
+		}
+	}
+	const hero = Object.assign(new Agent("cube", "heroes"), { size: 2, heading: 30, x: 4, sweeps: true });
+	const { x, y, z, size, heading, sweeps } = hero;
+	const twin = Object.assign(new Agent(hero.shape, hero.breed), { x, y, z, size, heading, sweeps });
+	const { id, ...traits } = hero.toJSON();
+	assert.deepEqual(twin.toJSON(), { id: id + 1, ...traits });
+	twin.moveTo(9, 9, 9);
+	assert.equal(hero.x, 4);
+});
+
 test("lists are arrays of agents, and a frame that is refused changes nothing", () => {
 	const collision = new Collision(new TightestFitCollider(makeLand()));
 	const [a, b] = [new Agent("cube", "bears"), new Agent("sphere", "balls")];
@@ -193,6 +210,7 @@ test("lists are arrays of agents, and a frame that is refused changes nothing", 
 	// eslint-disable-next-line no-sparse-arrays -- a hole, as a second comma or a list that is too long leaves it
 	refused(() => collision.update([a, , b]), "agents[1] must be an Agent, not undefined");
 	refused(() => collision.update([a, a]), "listed twice", `agent ${a.id}`);
+	refused(() => collision.update([b, a, Object.assign(new Agent("cube"), a)]), "is listed twice: agents[1] and agents[2], a copy");
 	refused(() => collision.collisionSystem.findCollisions([a, b], {}), "out must be an array");
 	assert.equal(calls, 1);
 	collision.update([a, b]);
@@ -456,7 +474,7 @@ test("while a game is developed, an error about a value in a literal names the c
 	refused(() => (collision.filter = filter), `Collision.filter.${meant}`);
 	refused(() => new WalkOptions({ filter }), `new WalkOptions: settings.filter.${meant}`);
 	refused(() => (new AgentFilter().breeds = "coins"), `AgentFilter.${meant}`);
-	refused(() => queries.walk(walker, 1, 0, { stepHeight: -1 }), "AgentQueries.walk: options.stepHeight must be between 0 and 1000000000: -1");
+	refused(() => queries.walk(walker, 1, 0, { stepHeight: -1 }), "AgentQueries.walk: options.stepHeight must be between 0 and 1000000000, not -1");
 	refused(() => queries.near(walker, 5, { except: ["coins"] }), 'AgentQueries.near: filter.except[0] must be an Agent, not "coins"');
 	refused(() => collision.snapshot({ traits: true }), "Collision.snapshot: options.traits is no option; the nearest is withTraits; there are withTraits, withGround");
 	refused(() => collision.update("coins"), 'Collision.update: agents must be an array, not "coins"');

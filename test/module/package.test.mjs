@@ -362,7 +362,7 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 });
 
 test("while a game is developed, names that do nothing are warned of when they are set after the first frame, too", () => {
-	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, Collision, LevelCollider, LevelShapes", module)}
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, Footing, GreatLand, LevelCollider, LevelShapes, Terrain", module)}
 		const collision = new Collision(new BinCollider());
 		const queries = new AgentQueries(new BinCollider());
 		const agents = [new Agent("sphere", "wolves"), new Agent("sphere")];
@@ -377,6 +377,24 @@ test("while a game is developed, names that do nothing are warned of when they a
 			if (frame === 17) collision.exact = collision.collisionSystem.maxDepth = 3;
 		}
 		new AgentQueries(Object.assign(new LevelCollider(new LevelShapes()), { exact: true })).update([]);
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.sphere());
+		const game = new Collision(new CombinationCollider(land));
+		const footing = new Footing();
+		game.terrain = new Terrain(9, 9);
+		for (let frame = 1; frame <= 20; frame++) {
+			new AgentQueries(game).update(agents);
+			game.update(agents);
+			if (frame === 5) Object.assign(land, { prepareexact: true, levels: [] });
+			if (frame === 6) Object.assign(game.terrain, { blocky: true, name: "hills" });
+			if (frame === 7) game.collisionSystem.isExact = true;
+		}
+		const walks = new AgentQueries(game);
+		walks.update(agents);
+		for (let i = 1; i <= 9; i++) {
+			walks.walk(agents[0], 0, 0, null, footing);
+			if (i === 5) Object.assign(footing, { standing: true, surface: null, speed: 3 });
+		}
 		// a name that a game's class does not have in its text, and those that it has
 		class Car extends Agent { position = [1, 2]; turn() { this.yaw = 3; } }
 		class Bus extends Car { }
@@ -388,7 +406,8 @@ test("while a game is developed, names that do nothing are warned of when they a
 	const said = warningsOf(program);
 	const expected = [/sweep is no property of Agent .*is sweeps meant/, /collider is no property of Collision that the engine reads; is collisionSystem meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
 		/exact does nothing on a Collision: it is for a HierarchicalCollider/, /maxDepth does nothing on a BinCollider/,
-		/exact does nothing on a LevelCollider: set exact of its LevelShapes$/, /rotation is no property of Bus that the engine reads; is heading, pitch/];
+		/exact does nothing on a LevelCollider: set exact of its LevelShapes$/, /prepareexact is no property of GreatLand.*is prepareExact meant/, /blocky is no property of Terrain.*is isBlocky meant/,
+		/isExact is no property of CombinationCollider.*is exact meant/, /standing is no property of a Footing that the engine reads; is stands meant/, /rotation is no property of Bus that the engine reads; is heading, pitch/];
 	assertEach(said, expected);
 });
 
@@ -749,6 +768,13 @@ test("while a game is developed, settings that a constructor does not take, leve
 		hero.moveTo(100, 0, 500);                       // begun anew
 		for (let i = 0; i < 199; i++) queries.walk(hero, 0.1, 0);
 		if (said.some((text) => text.includes("has fallen"))) throw new Error("too early");
+		const [lift, rider] = [new Agent("ground", "lifts"), new Agent("hero", "riders")];
+		rider.moveTo(300, 0, 408);
+		for (let i = 0; i < 250; i++) {                 // it stands on a lift that sinks
+			lift.moveTo(300, 0, 400 - 0.05 * i);
+			queries.update([level, hero, twin, lift, rider]);
+			if (i > 0 && Math.abs(queries.walk(rider, 0, 0).on.z - rider.z + 8) > 1e-6) throw new Error("it is not carried");
+		}
 		for (let i = 0; i < 199; i++) queries.walk(hero, 0.1, 0);
 		console.log(JSON.stringify(said));`;
 	const said = warningsOf(program);
@@ -1138,7 +1164,7 @@ test("while a game is developed, snapshots that put nobody back are warned of, o
 });
 
 test("while a game is developed, walks that stop before what has a handler with the walker are warned of, once, unless the two meet otherwise", () => {
-	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, Collision, Footing, GreatLand, TightestFitCollider", module)}
+	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, Collision, Footing, GreatLand, Terrain, TightestFitCollider", module)}
 		const land = new GreatLand();
 		for (const model of [BuiltInModel.sphere(), BuiltInModel.capsule(0.3, 1.8, "hero"), BuiltInModel.box(1, 1, 3, "wall")]) land.addModel(model);
 		const game = new Collision(new TightestFitCollider(land));
@@ -1167,6 +1193,16 @@ test("while a game is developed, walks that stop before what has a handler with 
 			game.update([hero, floor]);
 		}
 		steps.push(said.length + " " + calls);
+		game.onCollision("heroes", Collision.TERRAIN, () => calls++);
+		game.terrain = new Terrain(20, 20);
+		hero.moveTo(9, 9, 0.1);
+		for (let i = 0; i < 12; i++) {
+			queries.update([hero]);
+			queries.walk(hero, 0.01, 0);
+			game.update([hero]);
+		}
+		game.terrain = null;
+		steps.push(said.length + " " + calls);
 		let asked = 0;
 		const [blocked, wall] = [new Agent("hero", "heroes"), new Agent("wall", "doors")];
 		wall.moveTo(1, 0, 0);
@@ -1188,11 +1224,12 @@ test("while a game is developed, walks that stop before what has a handler with 
 		}
 		console.log(JSON.stringify({ said, steps }));`;
 	const { said, steps } = printedBy(program("starlogo-collision.js"));
-	// no handlers, left out, met after a while, not stopped for long, stopped, and stood on
-	assert.deepEqual(steps, ["0 0", "0 1", "0 2", "0 2", "1 2", "1 2", "2 2"]);
+	// no handlers, left out, met after a while, not stopped for long, stopped, stood on, and on the ground
+	assert.deepEqual(steps, ["0 0", "0 1", "0 2", "0 2", "1 2", "1 2", "2 2", "3 2"]);
 	assert.match(said[0], /a walk of "heroes" stops before "doors" and does not touch them, so the handlers of the two do not run while it only stands there\..* leave them out: .*\{ filter: \{ exceptBreeds: \["doors"\] \} \}/);
 	assert.match(said[0], /bump into them, ask what has stopped it: the Footing's against/);
-	assert.match(said[1], /a walk of "heroes" ends on "floors" and does not touch them, so the handlers/);
+	assert.match(said[1], /a walk of "heroes" ends on "floors" and does not touch them, so the handlers.* fall through them, leave them out: .*stand on them, ask what it stands on: the Footing's on$/);
+	assert.match(said[2], /a walk of "heroes" ends on Collision\.TERRAIN and does not touch them, so the handlers of the two do not run while it only stands there\. If it should stand on them, ask what it stands on: the Footing's on$/);
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
@@ -1229,6 +1266,56 @@ test("while a game is developed, handlers that are not there to be removed, the 
 		/removeHandler removes nothing for "wolves" and "sheep": the function bound eat was never added: .* bind\(\)/];
 	assertEach(said, expected);
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), { said: [], removed });
+});
+
+test("while a game is developed, questions that have not seen what restore() has put back, and twins with one place, are warned of, once", () => {
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider", module)}
+		const agents = ["heroes", "coins"].map((breed) => new Agent("sphere", breed));
+		const [hero, coin] = agents;
+		const collision = new Collision(new BinCollider());
+		const queries = new AgentQueries(collision);
+		const back = (move) => {
+			collision.update(agents);
+			const bytes = collision.snapshot(true);
+			move();
+			queries.update(agents);
+			collision.restore(bytes, agents);
+		};
+		const counts = [];
+		const count = () => { queries.near(hero, 9); queries.near(hero, 9); counts.push(said.length); };
+		back(() => 0);                                  // nothing has moved
+		count();
+		back(() => coin.moveTo(99, 0, 0));
+		queries.update(agents);
+		count();
+		for (let i = 0; i < 2; i++) {
+			back(() => coin.moveTo(99, 0, 0));
+			count();
+		}
+		const fields = { x: hero.x, y: hero.y };
+		collision.update([Object.assign(new Agent("sphere", "heroes"), fields)]);
+		counts.push(said.length);
+		for (let i = 0; i < 2; i++) collision.update([Object.assign(new Agent("sphere", "heroes"), hero)]);
+		counts.push(said.length);
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.sphere());
+		const refused = [];
+		for (const collider of [new BinCollider(), new TightestFitCollider(land), new HierarchicalCollider(land), new CombinationCollider(land)]) {
+			for (const updated of [new Collision(collider), new AgentQueries(collider)]) {
+				try {
+					updated.update([hero, { ...hero }]);
+				} catch ({ message }) {
+					refused.push(message);
+				}
+			}
+		}
+		console.log(JSON.stringify({ said, counts, refused }));`;
+	const { said, counts, refused } = printedBy(program("starlogo-collision.js"));
+	assert.deepEqual(refused.map((text) => /^(\w+)\.update: agents\[1\] must be an Agent, not a plain object\. A copy of .*docs\/questions\.md/.exec(text)?.[1]), Array.from({ length: 8 }, (_, i) => ["Collision", "AgentQueries"][i % 2]));
+	assert.deepEqual(counts, [0, 0, 1, 1, 1, 2], said.join("\n"));
+	assert.match(said[0], /questions do not see agent \d+ \(breed "coins", shape "sphere"\) where restore\(\) has put it: call queries\.update\(agents\) after restore\(\), before you ask$/);
+	assert.match(said[1], /agent \d+ .* is at the place of another agent, always: .*Object\.assign has copied.*"How is an agent copied\?"$/);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
 test("while a game is developed, a model's name that is misspelt is warned of, once", () => {

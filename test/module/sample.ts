@@ -104,6 +104,7 @@ import {
 	Tolerances,
 	TraitBlocks,
 	TreeCollider,
+	Trigonometry,
 	Vector3D,
 	Wireframes,
 	ZAlignedBoxFitter,
@@ -263,6 +264,7 @@ function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
 	log.push(`${new CollisionLines(greatLand).linesOf(agents[0], new BinCollider(greatLand), []).length / 6} lines of a sphere`);
 	const picture: Picture = { width: 2, height: 3, data: new Uint8Array(24) };
 	if (Terrain.fromPicture(picture, 1).rows !== 3) log.push("another picture");
+	if (Trigonometry.arctangent(1, -1) !== 135 || Trigonometry.sine(90) !== Trigonometry.cosine(0)) log.push("another turn");
 	const ground: Terrain = collisions.collision.terrain = new Terrain(9, 9, 1, -4, -4);
 	const detection = new DetectionBlocks(collisions);
 	detection.update();

@@ -137,6 +137,13 @@ new AgentQueries(plain).near(agent, 3, { accepts: (hero: Hero) => hero.life > 1 
 new AgentQueries(plain).near(agent, 3, { breed: ["heroes"] });
 // @ts-expect-error a list
 new AgentQueries(plain).near(agent, 3, { breeds: "heroes" });
+class Gate extends Agent {
+	// @ts-expect-error a field of a subclass would hide the engine's
+	isOneWay = true;
+	// @ts-expect-error the same
+	color = 3;
+}
+new Gate("gate").isOneWay = false;
 class Coin extends Agent {
 	worth = 1;
 }

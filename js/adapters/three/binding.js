@@ -50,7 +50,7 @@ export class ThreeAgentBinding {
 			const hint = object?.scene?.isObject3D ? ". Its scene is one" : "";
 			throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}${hint}`);
 		}
-		this.#objectTransform = index === null ? new ObjectTransform(agent, object) : new InstanceTransform(object, index, model);
+		this.#objectTransform = index === null ? new ObjectTransform(agent, object, model) : new InstanceTransform(object, index, model);
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isYUp);
 		else warnings?.ofNoModel(agent, object);
@@ -185,11 +185,11 @@ export function bindInstance(agent, mesh, index, model = null, options = {}) {
 
 /** The position, quaternion and scale of an object. If three.js does not use these for it, its matrix is read. */
 class ObjectTransform {
-	constructor(agent, object) {
+	constructor(agent, object, model) {
 		this.object = object;
 		this.snapshotInto(snapshot);
 		warnings?.ofScale(agent, object);
-		warnings?.ofInstances(agent, object);
+		warnings?.ofInstances(agent, object, model);
 	}
 
 	/** The object's matrix, which is computed from its components unless it is set itself. */

@@ -40,7 +40,9 @@ export function levelFromObject(name, object, options = {}) {
 	requireName("levelFromObject", name);
 	const surface = surfaceOf(name, object, isYUp, true);
 	warnings?.ofParent(name, object, isYUp);
-	return modelOf(name, object, surface, { isYUp, isPlaced: object.isObject3D && !object.matrix.equals(identity) }, Model.AS_GIVEN);
+	const model = modelOf(name, object, surface, { isYUp, isPlaced: object.isObject3D && !object.matrix.equals(identity) }, Model.AS_GIVEN);
+	warnings?.keepLevel(model);
+	return model;
 }
 
 function requireName(call, name) {

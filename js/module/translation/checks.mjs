@@ -25,6 +25,12 @@ const FINITE_CHECKED_CLASS_NAMES = new Set(["FrameTimes", "Placement"]);
 /** Functions that the engine calls in its loops. The module exports a checked function around them. */
 export const isWrapped = (type) => type?.kind === "function";
 
+/** The public fields of a class that only its users write. The module has a getter and a setter of each. */
+export function settingsOf(type) {
+	if (type?.kind !== "class" || UNCHECKED_CLASS_NAMES.has(type.name)) return [];
+	return type.members.filter((member) => member.kind === "var" && member.isPublic && !member.isPrivate && !member.isStatic);
+}
+
 /** The checks of a program's public members. */
 export class Checks {
 	#signatures;
@@ -53,9 +59,7 @@ export class Checks {
 
 	/** The public fields of a class that only its users write: { name, type }. */
 	settings(qname) {
-		const type = this.#signatures.get(qname);
-		if (!type || type.kind !== "class" || UNCHECKED_CLASS_NAMES.has(type.name)) return [];
-		return type.members.filter((member) => member.kind === "var" && member.isPublic && !member.isPrivate && !member.isStatic);
+		return settingsOf(this.#signatures.get(qname));
 	}
 
 	/** The statements that check a new value of such a field. */

@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { ONLY_IN_JAVASCRIPT, RETURNS_UINT8ARRAY } from "../differences.mjs";
 import { PLATFORM_NAMES, ROOT } from "../names.mjs";
 import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isVisible, isWritten, mayHaveNull } from "../signatures.mjs";
+import { settingsOf } from "../translation/checks.mjs";
 import { PRIMITIVES, docComment } from "./tsdoc.mjs";
 
 /** The types that no class of ActionScript has. */
@@ -224,6 +225,7 @@ class Writer {
 					// what is set may be a list that its owner does not change
 					return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: readonly ${result});`;
 				}
+				if (settingsOf(type).includes(member) && !/\bRead only\./.test(docs)) return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: ${result});`;
 				return `${text}\t${visible}${isStatic}${member.kind === "const" || /\bRead only\./.test(docs) ? "readonly " : ""}${member.name}: ${result};`;
 		}
 	}

@@ -51,7 +51,7 @@ package starlogo.blocks
         {
             if (!(value > 0 && value <= Agent.LARGEST_COORDINATE))
             {
-                throw new RangeError("gravity must be more than 0 and at most " + Agent.LARGEST_COORDINATE + ": " + value);
+                throw new RangeError("gravity must be more than 0 and at most " + Agent.LARGEST_COORDINATE + ", not " + value);
             }
             _gravity = value;
         }

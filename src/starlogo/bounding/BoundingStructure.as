@@ -350,7 +350,7 @@ package starlogo.bounding
         {
             if (!(length >= 0 && length <= LARGEST))
             {
-                throw new RangeError(what + " must be finite and not negative, at most " + LARGEST + ": " + length);
+                throw new RangeError(what + " must be finite and not negative, at most " + LARGEST + ", not " + length);
             }
             return length;
         }
@@ -366,7 +366,7 @@ package starlogo.bounding
         {
             if (size > 0 && size < SMALLEST)
             {
-                throw new RangeError(what + " must have a size of 0, or of at least " + SMALLEST + ": " + size);
+                throw new RangeError(what + " must have a size of 0, or of at least " + SMALLEST + ", not " + size);
             }
         }
 

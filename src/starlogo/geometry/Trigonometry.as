@@ -8,8 +8,6 @@ package starlogo.geometry
      * <p>Angles are first reduced to -45 to 45 degrees, which is exact. Then they are converted to radians as the sum of two Numbers: the
      * product with a constant, and its rounding error (Dekker, "A floating-point technique for extending the available precision", 1971).
      * Taylor's series compute the result.</p>
-     *
-     * @private
      */
     public final class Trigonometry
     {
@@ -32,7 +30,8 @@ package starlogo.geometry
         /**
          * The sine of an angle in degrees.
          *
-         * @param angle finite
+         * @param angle in degrees
+         * @return NaN for an angle that is not finite
          */
         public static function sine(angle:Number):Number
         {
@@ -42,7 +41,8 @@ package starlogo.geometry
         /**
          * The cosine of an angle in degrees.
          *
-         * @param angle finite
+         * @param angle in degrees
+         * @return NaN for an angle that is not finite
          */
         public static function cosine(angle:Number):Number
         {

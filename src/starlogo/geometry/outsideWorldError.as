@@ -14,6 +14,6 @@ package starlogo.geometry
         {
             wrong = Math.abs(value) > most && !(Math.abs(value) <= Math.abs(wrong)) ? value : wrong;
         }
-        return new RangeError((owner == null ? "" : owner + ": ") + what + " must be between " + -most + " and " + most + ", a finite number: " + wrong);
+        return new RangeError((owner == null ? "" : owner + ": ") + what + " must be a finite number between " + -most + " and " + most + ", not " + wrong);
     }
 }

@@ -112,7 +112,7 @@ package starlogo.models
             requireSize(name, "a capsule's height", height);
             if (height < 2 * radius)
             {
-                throw new RangeError("a capsule's height includes its caps, so it must be at least twice its radius of " + radius + ": " + height);
+                throw new RangeError("a capsule's height includes its caps, so it must be at least twice its radius of " + radius + ", not " + height);
             }
             var vertices:Vector.<Number> = new <Number>[0, 0, 0];
             var triangles:Vector.<uint> = new Vector.<uint>();
@@ -157,7 +157,7 @@ package starlogo.models
         {
             if (!(value > 0 && value <= Placement.LARGEST_COORDINATE))
             {
-                throw new RangeError("model \"" + name + "\": " + what + " must be positive and at most " + Placement.LARGEST_COORDINATE + ": " + value);
+                throw new RangeError("model \"" + name + "\": " + what + " must be positive and at most " + Placement.LARGEST_COORDINATE + ", not " + value);
             }
         }
 

@@ -110,7 +110,7 @@ package starlogo.queries
         {
             if (!(value >= 0 && value <= Agent.LARGEST_COORDINATE))
             {
-                throw new RangeError(name + " must be between 0 and " + Agent.LARGEST_COORDINATE + ": " + value);
+                throw new RangeError(name + " must be between 0 and " + Agent.LARGEST_COORDINATE + ", not " + value);
             }
             return value;
         }

@@ -6,6 +6,7 @@ package starlogo.terrain
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.data.requireGiven;
+    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
     import starlogo.ground.GroundPoint;
@@ -57,7 +58,8 @@ package starlogo.terrain
             }
             if (!(cellWidth >= Agent.SMALLEST_SIZE && cellWidth <= Agent.LARGEST_COORDINATE))
             {
-                throw new RangeError("a terrain's cellWidth must be between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_COORDINATE + ": " + cellWidth);
+                throw new RangeError("a terrain's cellWidth must be between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_COORDINATE + ", not "
+                        + cellWidth);
             }
             requireInWorld("the beginning of a terrain's blocks", x - cellWidth / 2, y - cellWidth / 2, 0);
             requireInWorld("the end of a terrain's blocks", x + (columns - 0.5) * cellWidth, y + (rows - 0.5) * cellWidth, 0);
@@ -79,7 +81,7 @@ package starlogo.terrain
             var data:Object = picture != null && "data" in picture ? picture.data : null;
             if (picture == null || !(picture.width > 0) || (data == null && !("getPixel" in picture)))
             {
-                throw new ArgumentError("a picture is needed, not " + picture);
+                throw new ArgumentError("picture must be a BitmapData or an ImageData, not " + textOf(picture));
             }
             requireInWorld("the height of white", height, 0, 0);
             var terrain:Terrain = new Terrain(picture.width, picture.height, cellWidth, x, y);
@@ -254,7 +256,7 @@ package starlogo.terrain
             requireInWorld("a mound's width", width, 0, 0);
             if (!(width > 0))
             {
-                throw new RangeError("a mound's width must be more than 0: " + width);
+                throw new RangeError("a mound's width must be more than 0, not " + width);
             }
             var ground:HeightGrid = grid;
             // rounding must not make it 0

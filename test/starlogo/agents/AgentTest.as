@@ -112,7 +112,7 @@ package starlogo.agents
             {
                 for each (var value:Number in [1.1e9, -1.1e9, 1e160, 1e308, -1e308])
                 {
-                    assertThrows(RangeError, new RegExp("agent " + agent.id + ".*: " + trait + " must be between -1000000000 and 1000000000"), set , agent, trait, value);
+                    assertThrows(RangeError, new RegExp("agent " + agent.id + ".*: " + trait + " must be a finite number between -1000000000 and 1000000000"), set , agent, trait, value);
                 }
             }
             assertThrows(RangeError, /: x must be.*1e\+308/, agent.moveTo, 1e308, 1e308, 0);

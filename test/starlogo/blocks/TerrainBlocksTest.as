@@ -57,7 +57,7 @@ package starlogo.blocks
             _blocks.raiseGround(2, -1, -0.5);
             assertEquals(2.5, _terrain.heightAt(2, -1));
             assertEquals(0, _terrain.heightAt(3, -1));
-            assertThrows(BlockError, /"raise the ground" cannot build here: a terrain's height must be .*: NaN\.$/, _blocks.raiseGround, 0, 0, NaN);
+            assertThrows(BlockError, /"raise the ground" cannot build here: a terrain's height must be .*, not NaN\.$/, _blocks.raiseGround, 0, 0, NaN);
             assertThrows(BlockError, /"raise the ground" cannot build here: .*NaN/, _blocks.raiseGround, NaN, 0, 1);
             assertThrows(BlockError, /"raise the ground" cannot build here: a wall at \(6, 0\) is outside of the terrain\.$/, _blocks.raiseGround, 6, 0, 1);
             _collisions.collision.terrain = null;
@@ -205,11 +205,11 @@ package starlogo.blocks
             assertThrows(BlockError, /"bounce off the edge" needs an agent/, _blocks.bounceOffEdge, null);
             assertThrows(BlockError, /"wrap at the edge" needs an agent/, _blocks.wrapAtEdge, null);
             assertThrows(BlockError, /"touching edge\?" needs an agent/, _blocks.isTouchingEdge, null);
-            assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be .*: NaN\.$/, _blocks.buildWall, _turtle, NaN);
+            assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be .*, not NaN\.$/, _blocks.buildWall, _turtle, NaN);
             assertThrows(BlockError, /"build mound" cannot build here: a mound's place and height must be .*: Infinity\.$/, _blocks.buildMound, _turtle, 1, Infinity);
-            assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be more than 0: 0\.$/, _blocks.buildMound, _turtle, 0, 1);
+            assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be more than 0, not 0\.$/, _blocks.buildMound, _turtle, 0, 1);
             assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be .*: NaN\.$/, _blocks.buildMound, _turtle, NaN, 1);
-            assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be between.*: 2000000000\.$/, _blocks.buildWall, _turtle, 2e9);
+            assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be a finite number between.*, not 2000000000\.$/, _blocks.buildWall, _turtle, 2e9);
             _turtle.x = 6;
             assertThrows(BlockError, /"build wall" cannot build here: a wall at \(6, 0\) is outside of the terrain\.$/, _blocks.buildWall, _turtle, 1);
             _turtle.x = 9;

@@ -348,7 +348,7 @@ package starlogo.collision
             assertThrows(RangeError, /least y.*2, 1/, create, WorldBounds, 0, 2, 0, 1, 1, 1);
             assertThrows(RangeError, /least x.*Infinity, Infinity/, create, WorldBounds, Infinity, 0, 0, Infinity, 1, 1);
             assertThrows(RangeError, /least z.*-Infinity, -Infinity/, create, WorldBounds, 0, 0, -Infinity, 1, 1, -Infinity);
-            assertThrows(RangeError, /edges of the world must be between -1000000000 and 1000000000, a finite number: 2000000000/, create, WorldBounds, 0, 0, 0, 1, 2e9, 1);
+            assertThrows(RangeError, /edges of the world must be a finite number between -1000000000 and 1000000000, not 2000000000/, create, WorldBounds, 0, 0, 0, 1, 2e9, 1);
             var bounds:WorldBounds = new WorldBounds(-1, -2, -3, 1, 2, Infinity);
             assertThrows(RangeError, /least z.*NaN/, bounds.setTo, 0, 0, 0, 1, 1, NaN);
             assertEquals("-1,-2,-3,1,2,Infinity", [bounds.minX, bounds.minY, bounds.minZ, bounds.maxX, bounds.maxY, bounds.maxZ].join());

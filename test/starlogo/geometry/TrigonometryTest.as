@@ -6,6 +6,7 @@ package starlogo.geometry
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import support.Fixtures;
+    import support.RunningHash;
 
     public class TrigonometryTest
     {
@@ -36,6 +37,23 @@ package starlogo.geometry
             assertTrue("sine " + largest[0], largest[0] > 0.5 && largest[0] < 0.8);
             assertTrue("cosine " + largest[1], largest[1] > 0.5 && largest[1] < 0.8);
             assertTrue("arctangent " + largest[2], largest[2] > 0.45 && largest[2] < 0.51);
+        }
+
+        [Test]
+        public function resultsAreTheSameOnEveryMachine():void
+        {
+            var random:SeededRandom = new SeededRandom(2812);
+            var hash:RunningHash = new RunningHash();
+            for (var i:int = 0; i < 3000; i++)
+            {
+                var scale:Number = i % 3 == 0 ? 1e-3 : i % 3 == 1 ? 500 : 1e9;
+                var y:Number = random.between(-scale, scale);
+                var x:Number = random.between(-1, 1);
+                hash.addNumber(Trigonometry.sine(y));
+                hash.addNumber(Trigonometry.cosine(y));
+                hash.addNumber(Trigonometry.arctangent(y, x));
+            }
+            assertEquals("441f136f", hash.toString());
         }
 
         [Test]

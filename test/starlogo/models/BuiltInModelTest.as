@@ -94,14 +94,14 @@ package starlogo.models
         {
             for each (var wrong:Number in [0, -1, NaN, Infinity, -Infinity, 1.1e9])
             {
-                var told:String = " must be positive and at most 1000000000: " + wrong;
+                var told:String = " must be positive and at most 1000000000, not " + wrong;
                 assertThrows(RangeError, "model \"capsule\": a capsule's radius" + told, BuiltInModel.capsule, wrong, 2);
                 assertThrows(RangeError, "model \"hero\": a capsule's height" + told, BuiltInModel.capsule, 1, wrong, "hero");
                 assertThrows(RangeError, "model \"box\": a box's x" + told, BuiltInModel.box, wrong, 1, 1);
                 assertThrows(RangeError, "model \"box\": a box's y" + told, BuiltInModel.box, 1, wrong, 1);
                 assertThrows(RangeError, "model \"box\": a box's z" + told, BuiltInModel.box, 1, 1, wrong);
             }
-            assertThrows(RangeError, "a capsule's height includes its caps, so it must be at least twice its radius of 1: 1.5", BuiltInModel.capsule, 1, 1.5);
+            assertThrows(RangeError, "a capsule's height includes its caps, so it must be at least twice its radius of 1, not 1.5", BuiltInModel.capsule, 1, 1.5);
             assertThrows(ModelError, "", BuiltInModel.capsule, 1, 3, "");
             assertThrows(ModelError, "", BuiltInModel.box, 1, 1, 1, "");
         }

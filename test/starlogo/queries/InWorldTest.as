@@ -114,16 +114,16 @@ package starlogo.queries
         public function whatAnAgentIsAskedAboutNamesIt():void
         {
             var all:Object = calls;
-            var named:RegExp = /^agent \d+ \(breed "turtles", shape "cube"\): dy of a motion must be between -1000000000 and 1000000000, .*NaN$/;
+            var named:RegExp = /^agent \d+ \(breed "turtles", shape "cube"\): dy of a motion must be a finite number between -1000000000 and 1000000000, not .*NaN$/;
             for each (var name:String in ["castAgent", "castAgentAll", "moveUntilTouch", "slide"])
             {
                 assertThrows(RangeError, named, all[name], 0, NaN, 0);
             }
             assertThrows(RangeError, named, _queries.walk, _bear, 0, NaN);
-            assertThrows(RangeError, /^agent \d+ .*: dx of a motion must be between .*: 2000000000$/, _queries.walk, _bear, 2e9, NaN);
-            assertThrows(RangeError, /^agent \d+ .*: a place must be between .*NaN$/, _queries.wouldTouchAt, _bear, 0, 0, NaN);
-            assertThrows(RangeError, /^dy of a motion must be between/, all.castShape, 0, NaN, 0);
-            assertThrows(RangeError, /: dz of a motion must be between .*: -Infinity$/, all.slide, 0, 0, -Infinity);
+            assertThrows(RangeError, /^agent \d+ .*: dx of a motion must be a finite number between .*, not 2000000000$/, _queries.walk, _bear, 2e9, NaN);
+            assertThrows(RangeError, /^agent \d+ .*: a place must be a finite number between .*NaN$/, _queries.wouldTouchAt, _bear, 0, 0, NaN);
+            assertThrows(RangeError, /^dy of a motion must be a finite number between/, all.castShape, 0, NaN, 0);
+            assertThrows(RangeError, /: dz of a motion must be a finite number between .*, not -Infinity$/, all.slide, 0, 0, -Infinity);
         }
 
         [Test]
@@ -173,10 +173,10 @@ package starlogo.queries
             {
                 for each (var length:Number in [NaN, -1, -Infinity, 1.1e9, 1e308])
                 {
-                    assertThrows(RangeError, new RegExp(name + " .*must be between 0 and 1000000000: " + textOf(length).replace("+", "\\+")), assign, options, name, length);
+                    assertThrows(RangeError, new RegExp(name + " .*must be between 0 and 1000000000, not " + textOf(length).replace("+", "\\+")), assign, options, name, length);
                 }
             }
-            assertThrows(RangeError, /snap must be between 0 and 1000000000: Infinity/, assign, options, "snap", Infinity);
+            assertThrows(RangeError, /snap must be between 0 and 1000000000, not Infinity/, assign, options, "snap", Infinity);
             assertThrows(RangeError, /slopeDegrees .*less than 90: 90/, assign, options, "slopeDegrees", 90);
             options.fall = Infinity;
             assertEquals(Infinity, options.fall);

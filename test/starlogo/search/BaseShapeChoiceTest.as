@@ -26,7 +26,7 @@ package starlogo.search
                 for each (var structure:BoundingStructure in [new Sphere(new Vector3D(0, 0, far), 1), new Sphere(new Vector3D(), far)])
                 {
                     var collider:Collider = new Collider(new OneStructure(structure));
-                    assertThrows(RangeError, /its model's structure must be between/, collider.findCollisions, new <Agent>[new Agent("sphere"), new Agent("cube")]);
+                    assertThrows(RangeError, /its model's structure must be a finite number between/, collider.findCollisions, new <Agent>[new Agent("sphere"), new Agent("cube")]);
                 }
             }
         }

@@ -318,7 +318,7 @@ package starlogo.terrain
             }
             for each (var noPicture:Object in [null, {}, {width:2, height:2, data:null}, {width:2, height:2}])
             {
-                assertThrows(ArgumentError, /a picture is needed/, Terrain.fromPicture, noPicture, 1);
+                assertThrows(ArgumentError, /^picture must be a BitmapData or an ImageData, not /, Terrain.fromPicture, noPicture, 1);
             }
             assertThrows(ArgumentError, /too little data: 15/, Terrain.fromPicture, {width: 2, height: 2, data: picture.data.slice(1)}, 1);
             for each (var height:Number in [NaN, Infinity, -Infinity, 1.1e9])
@@ -326,7 +326,7 @@ package starlogo.terrain
                 // a black picture has no use for the height
                 for each (var data:Array in [picture.data, [0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255]])
                 {
-                    assertThrows(RangeError, new RegExp("the height of white must be .*: " + height), Terrain.fromPicture, {width:2, height:2, data:data}, height);
+                    assertThrows(RangeError, new RegExp("the height of white must be .*, not " + height), Terrain.fromPicture, {width:2, height:2, data:data}, height);
                 }
             }
             for each (height in [1e9, -1e9, 0.1, 0.7, 1.1, 12.3, 1 / 3, 99.9])

@@ -29,10 +29,10 @@ export function $warnOfTime(name, given) {
 		+ "Move an agent by its speed, multiplied by the time since the last frame");
 }
 
-/** Refuses what is no agent in a list, and names the call: the engine says only where in the list it is. Others have ids, too. */
+/** Refuses what is no agent in a list, and names the call: the engine says only where in the list it is. */
 export function $refuseNoAgent(call, agents) {
 	for (let i = 0; i < agents.length; i++) {
-		if (agents[i]?.$revision === undefined) $refuse(null, `${call}: agents[${i}]`, agents[i], "an Agent");
+		if (!(agents[i] instanceof Agent)) $refuse(null, `${call}: agents[${i}]`, agents[i], "an Agent");
 	}
 }
 

@@ -1,7 +1,7 @@
 /** What the adapter to three.js draws elsewhere than it collides, or cannot read. The adapter calls these functions itself. */
 import { $keepPose } from "./poses.mjs";
 import { $putAtOrigin } from "./shots.mjs";
-import { $restored } from "./snapshots.mjs";
+import { $restored, $restores } from "./snapshots.mjs";
 import { $distance, $placeOf, $rounded, $warn } from "./warn.mjs";
 
 /** So many updates in turn that put an agent back to its object are no accident. */
@@ -19,10 +19,16 @@ const $undoneMoves = /* @__PURE__ */ new WeakMap();
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
+/** Of an InstancedMesh that is bound as a whole: to which agent last, and how often Collisions had gone back then. */
+const $boundMeshes = /* @__PURE__ */ new WeakMap();
+
+/** The models of levelFromObject. */
+export const $levels = /* @__PURE__ */ new WeakSet();
+
 /** The adapter's warnings: see Model.$internals. */
 export function $warningsForAdapters() {
 	return {
-		keepSource: $keepSource, keepPose: $keepPose, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
+		keepSource: $keepSource, keepLevel: $keepLevel, keepPose: $keepPose, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
 		placeIfFirst: $placeIfFirst, ofFirstUpdate: $warnOfFirstUpdate, ofUpdateObject: $warnOfUpdateObject, placeIfMoved: $placeIfMoved, ofUpdateAgent: $warnOfUpdateAgent, errorOfVertex: $errorOfVertex,
 		requireSkeletons: $requireSkeletons,
 	};
@@ -31,6 +37,11 @@ export function $warningsForAdapters() {
 /** Keeps of which source a model was made. */
 function $keepSource(source, model) {
 	$sources.set(source, { name: model.name, matrix: model.source.matrix.rawData });
+}
+
+/** Keeps that a model is of levelFromObject. */
+function $keepLevel(model) {
+	$levels.add(model);
 }
 
 /**
@@ -70,9 +81,17 @@ function $warnOfScale(agent, object) {
 		+ "Put the mesh into a Group, make the model of the group, and bind the group", `scale of ${agent.shape}`);
 }
 
-/** Warns of an InstancedMesh that is bound as a whole to an agent with the model of one of its instances. */
-function $warnOfInstances(agent, { isInstancedMesh, count, geometry }) {
-	if (!isInstancedMesh || count < 2 || $sources.get(geometry)?.name !== agent.shape) return;
+/**
+ * Warns of an InstancedMesh that is bound as a whole to an agent with the model of one of its instances, or to a second agent without a model. After
+ * restore() a game may bind it anew.
+ */
+function $warnOfInstances(agent, mesh, model) {
+	const { isInstancedMesh, count, geometry } = mesh;
+	if (!isInstancedMesh || count < 2) return;
+	const before = $boundMeshes.get(mesh);
+	$boundMeshes.set(mesh, { agent, restores: $restores });
+	const isShared = model === null && before && before.agent !== agent && before.restores === $restores;
+	if (!isShared && $sources.get(geometry)?.name !== agent.shape) return;
 	$warn(`new ThreeAgentBinding(agent, mesh) moves all ${count} instances of the mesh of ${agent}. To move one of them, take `
 		+ "bindInstance(agent, mesh, index, model)", `instances of ${agent.shape}`);
 }

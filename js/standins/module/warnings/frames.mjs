@@ -22,6 +22,11 @@ const $WORLD_BREEDS = /* @__PURE__ */ new Map([
 	["*edge", { name: "Collision.EDGE", setting: "bounds" }],
 ]);
 
+/** How code names a breed. */
+export function $nameOfBreed(breed) {
+	return $WORLD_BREEDS.get(breed)?.name ?? JSON.stringify(breed);
+}
+
 /** How many names of breeds there were when a name was last looked for; without end once an agent has had it. */
 const $checkedBreeds = /* @__PURE__ */ new Map();
 
@@ -106,7 +111,7 @@ function $warnOfBreed(breed, likely, agents) {
 	const quoted = JSON.stringify(breed);
 	const meant = likely.find((each) => $isProbablyMisspelt(breed, each));
 	if (meant !== undefined) {
-		$warn(`no agent is of the breed ${quoted}; is ${$WORLD_BREEDS.get(meant)?.name ?? JSON.stringify(meant)} meant?`);
+		$warn(`no agent is of the breed ${quoted}; is ${$nameOfBreed(meant)} meant?`);
 		return;
 	}
 	const shaped = agents.find((agent) => agent?.shape === breed);
@@ -126,7 +131,7 @@ export function $warnOfNewAgents(collision, agents) {
 	let others = 0;
 	let revisions = 0;
 	for (let i = 0; i < agents.length; i++) {
-		if (agents[i]?.$revision === undefined) $refuseNoAgent("Collision.update", agents);
+		if (!(agents[i] instanceof Agent)) $refuseNoAgent("Collision.update", agents);
 		const { id } = agents[i];
 		if (id > greatest) greatest = id;
 		if (id > kept.greatestId) {

@@ -1,8 +1,9 @@
 /** Properties that a game sets and the engine does not read, and traits that a collision system does not look at. */
 import { $inheritedBy } from "../shown.mjs";
+import { $levels } from "./drawn.mjs";
 import { $lookAtPoses } from "./poses.mjs";
 import { $changesBetween } from "./spelling.mjs";
-import { $getOrInsert, $rounded, $warn } from "./warn.mjs";
+import { $getOrInsert, $isPowerOfTwo, $rounded, $warn } from "./warn.mjs";
 
 /** So many objects are looked at. */
 const $MOST_OBJECTS = 1000;
@@ -15,9 +16,7 @@ const $FRAMES_OF_A_SYSTEM = 30;
 
 /** What other libraries call traits of an agent, and the engine's names for them. */
 const $OTHER_WORDS = /* @__PURE__ */ new Map([
-	["isHierarchical", "hierarchical"],
 	["isSweeping", "sweeps"],
-	["oneWay", "isOneWay"],
 	["collidesAs", "collideAs"],
 	["rotation", "heading, pitch and roll in degrees, or setQuaternion()"],
 	["quaternion", "setQuaternion()"],
@@ -53,6 +52,9 @@ const $TREE_SETTINGS = ["exact", "maxDepth"];
 const $LARGE = 8;
 
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
+
+/** For the place of an agent, which is an object of the engine: the first agent that had it. */
+const $owners = /* @__PURE__ */ new WeakMap();
 let $objectsLookedAt = 0;
 
 /** Of a Collision or questions: the updates, and the collision system of the first one, or null once it has been exchanged. */
@@ -73,6 +75,27 @@ export function $warnOfUnknownProperties(object, isChanging) {
 	$checkedObjects.add(object);
 	$objectsLookedAt++;
 	$lookAtProperties(object);
+	if (object instanceof Agent) $lookAtOwner(object);
+}
+
+/** Warns of two agents with one place. */
+function $lookAtOwner(agent) {
+	const owner = $getOrInsert($owners, agent.$placement, () => agent);
+	if (owner === agent) return;
+	$warn(`${agent} is at the place of another agent, always: whoever moves one moves both, because Object.assign has copied the engine's fields. `
+		+ "See docs/questions.md in the package, \"How is an agent copied?\"", "owner");
+}
+
+/**
+ * Warns of a property that a game sets of a Footing, and whose name is near one of the engine's. A Footing has fields in place of setters, and what walks
+ * write into it is read.
+ */
+export function $lookAtFooting(footing) {
+	const names = Object.keys(new Footing());
+	for (const name of Object.keys(footing).filter((each) => !names.includes(each))) {
+		const meant = names.find((each) => each.length > 3 && ($isSimilar(name, each) || $withoutIs(name).startsWith(each.replace(/s$/, ""))));
+		if (meant) $warn(`${name} is no property of a Footing that the engine reads; is ${meant} meant?`);
+	}
 }
 
 /**
@@ -83,10 +106,8 @@ export function $warnOfLaterProperties(updated, agents) {
 	const collisionSystem = $systemOf(updated);
 	const looks = $getOrInsert($lookedAgain, updated, $newLooks);
 	looks.updates++;
-	const isPowerOfTwo = (looks.updates & (looks.updates - 1)) === 0;
-	if (!isPowerOfTwo) return;
-	$lookAtProperties(updated);
-	$lookAtProperties(collisionSystem);
+	if (!$isPowerOfTwo(looks.updates)) return;
+	for (const each of [updated, collisionSystem, $greatLandOf(collisionSystem), updated.terrain]) if (each) $lookAtProperties(each);
 	const few = agents.slice(0, $MOST_AGENTS_AGAIN);
 	for (const agent of few) if ($checkedObjects.has(agent)) $lookAtProperties(agent);
 	$lookForTriangles(collisionSystem, few);
@@ -95,6 +116,7 @@ export function $warnOfLaterProperties(updated, agents) {
 	else if (looks.updates > $FRAMES_OF_A_SYSTEM) {
 		$lookAtTraits(collisionSystem, few);
 		$lookAtLevels(collisionSystem, few);
+		$lookAtScaledLevels(collisionSystem, few);
 	}
 	$lookAtPoses(collisionSystem, few);
 }
@@ -120,6 +142,15 @@ function $lookAtLevels(collisionSystem, agents) {
 	if (!level) return;
 	$warn(`${level} is one patch wide, and its model was ${$rounded($unitsOf(greatLand.modelOf(level.shape)))} units wide before it was normalised. If it is a `
 		+ "level, keep its size: a model with Model.AS_GIVEN, and of a three.js scene levelFromObject in place of modelFromObject", "level");
+}
+
+/** Warns of a level that is scaled: its model has the units that it is drawn in. */
+function $lookAtScaledLevels(collisionSystem, agents) {
+	const choice = collisionSystem.$search?.narrowPhase.shapeChoice;
+	const level = agents.find(({ shape, size }) => size !== 1 && $levels.has(choice?.$modelOf(shape)));
+	if (!level) return;
+	$warn(`${level} has the size ${$rounded(level.size)}, and its model is of levelFromObject, which keeps the units that the level is drawn in: `
+		+ "its agent stays at the origin, with size 1", "scaled level");
 }
 
 /** The collision system of a Collision or of questions, which may be about a Collision. */
@@ -179,11 +210,20 @@ function $meantBy(object, name) {
 	if (setters.includes(name)) return name;
 	const isLong = (setter) => Math.min(setter.length, name.length) > 3;
 	const isNumbered = (setter) => setter === name.replace(/\d+$/, "");
-	const isNear = (setter) => setter.toLowerCase() === name.toLowerCase() || $changesBetween(name, setter) <= 1;
-	const near = setters.find((setter) => isLong(setter) && !isNumbered(setter) && isNear(setter));
+	const near = setters.find((setter) => isLong(setter) && !isNumbered(setter) && $isSimilar(name, setter));
 	const other = object.constructor.name === "Collision" && name === "collider" ? "collisionSystem" : undefined;
 	const meant = near ?? ("sweeps" in object ? $OTHER_WORDS.get(name) : other);
 	return $isOfOwnClass(object, name, meant) ? undefined : meant;
+}
+
+/** Whether a name may be another one, misspelt. */
+function $isSimilar(name, other) {
+	return $withoutIs(other) === $withoutIs(name) || $changesBetween(name, other) <= 1;
+}
+
+/** A name in small letters, without the verb of a yes or no: "exact" for isExact. */
+function $withoutIs(name) {
+	return name.replace(/^is(?=[A-Z])/, "").toLowerCase();
 }
 
 /**

@@ -2,6 +2,7 @@
 import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
 import { $forgetShot } from "./shots.mjs";
+import { $restoredLists, $restores } from "./snapshots.mjs";
 import { $lastWalk } from "./walks.mjs";
 import { $distance, $getOrInsert, $hasWarned, $placeOf, $warn } from "./warn.mjs";
 
@@ -19,22 +20,23 @@ const $LONG_WITHOUT_FRAMES = 3000;
 const $LONG_PLAY_WITHOUT_FRAMES = 300;
 
 /**
- * Of questions: how many updates they had before their Collision's first, after how many of these they moved an agent, the first such agent, and where it
- * was; the list of their last update, and when it was; the first agent that they have moved since, and how often; where the list's first agents are once
- * that is long ago; in how many frames in turn a platform moved late; the agents that the questions move
- * themselves.
+ * Of questions: how many restores there were before their last update; how many updates they had before their Collision's first, after how many of
+ * these they moved an agent, the first such agent, and where it was; the list of their last update, and when it was; the first agent that they have
+ * moved since, and how often; where the list's first agents are once that is long ago; in how many frames in turn a platform moved late; the agents
+ * that the questions move themselves.
  */
 const $questions = /* @__PURE__ */ new WeakMap();
 
 function $newQuestions() {
 	return {
-		updatesBefore: 0, playedBefore: 0, player: null, start: null, agents: null, updated: 0, walker: null, walks: 0, lates: 0, places: null, movers: new WeakSet(),
+		restores: 0, updatesBefore: 0, playedBefore: 0, player: null, start: null, agents: null, updated: 0, walker: null, walks: 0, lates: 0, places: null, movers: new WeakSet(),
 	};
 }
 
 /** The questions that were asked last, and when. */
 let $lastAsked = null;
 let $askedUpdate = 0;
+let $askedRestore = 0;
 
 /**
  * Warns of questions whose update() is forgotten: if they are asked for hundreds of frames without it, and an agent has moved meanwhile. An
@@ -47,11 +49,14 @@ export function $warnOfStale(queries, agents, mover) {
 	if (agents === null && queries.terrain !== null) $warnOfLateGround(queries);
 	if (mover !== null) $forgetShot(mover);
 	// most questions follow others of the same frame
-	if (queries === $lastAsked && $updates === $askedUpdate && agents === null && mover === null) return;
+	if (queries === $lastAsked && $updates === $askedUpdate && $restores === $askedRestore && agents === null && mover === null) return;
 	$lastAsked = queries;
 	$askedUpdate = $updates;
+	$askedRestore = $restores;
 	if ($hasWarned("stale")) return;
 	const kept = $getOrInsert($questions, queries, $newQuestions);
+	if (agents !== null) kept.restores = $restores;
+	else if (mover === null && kept.restores !== $restores) $lookAtRestored(kept, queries);
 	if (agents !== null) Object.assign(kept, { agents, updated: $updates, walker: null, walks: 0, places: null });
 	if (kept.agents === null) return;
 	if (mover !== null) {
@@ -71,6 +76,14 @@ export function $warnOfStale(queries, agents, mover) {
 	$reportStale(moved.agent, since);
 }
 
+/** Warns of questions that have not seen where restore() has put the agents. */
+function $lookAtRestored(kept, queries) {
+	kept.restores = $restores;
+	const agents = $restoredLists.get(queries._source);
+	const agent = kept.agents && agents?.find((each) => $hasMovedSince(queries, each));
+	if (agent) $warn(`questions do not see ${agent} where restore() has put it: call queries.update(agents) after restore(), before you ask`, "restored");
+}
+
 /** Warns of a platform that has moved since the update of its frame when its rider is moved, in many frames in turn. */
 function $countLate(kept, queries, rider) {
 	const platform = $movedBelow(queries, rider);
@@ -86,10 +99,16 @@ function $reportStale(agent, since) {
 }
 
 /** What a walker stood on after its last walk, if it has moved since questions have seen it; else null. */
-function $movedBelow({ $table: { listed, $places } }, walker) {
+function $movedBelow(queries, walker) {
 	const { agent, footing } = $lastWalk ?? {};
-	const row = agent === walker && footing.on ? listed.rowOf(footing.on) : -1;
-	return row >= 0 && (footing.on.x !== $places.x[row] || footing.on.y !== $places.y[row] || footing.on.z !== $places.z[row]) ? footing.on : null;
+	const isListed = agent === walker && footing.on && queries.$table.listed.rowOf(footing.on) >= 0;
+	return isListed && $hasMovedSince(queries, footing.on) ? footing.on : null;
+}
+
+/** Whether an agent is elsewhere than questions have seen it, or they have not seen it. */
+function $hasMovedSince({ $table: { listed, $places } }, agent) {
+	const row = listed.rowOf(agent);
+	return row < 0 || agent.x !== $places.x[row] || agent.y !== $places.y[row] || agent.z !== $places.z[row];
 }
 
 /** Warns of a ground that has come since the last update of questions, if they have seen none: rays and walks go through it. */

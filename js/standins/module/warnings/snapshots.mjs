@@ -28,8 +28,14 @@ export function $warnOfSnapshot(collision, withTraits) {
 /** Agents with traits of a snapshot that no binding has looked at since. */
 export const $restored = /* @__PURE__ */ new WeakSet();
 
+/** How often Collisions have gone back, and with which list each did last. */
+export let $restores = 0;
+export const $restoredLists = /* @__PURE__ */ new WeakMap();
+
 /** Warns of going back by a snapshot without traits if an agent is elsewhere than at any such snapshot: the game has not put it back. */
 export function $warnOfRestore(collision, bytes, agents) {
+	$restores++;
+	$restoredLists.set(collision, agents);
 	if (bytes?.byteAt($CONTENTS) & $HAS_TRAITS) {
 		for (const agent of agents) $restored.add(agent);
 		return;

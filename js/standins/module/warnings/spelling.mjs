@@ -85,6 +85,8 @@ const $HINT_OF_SAVED = ". JSON does not keep bytes: a saved game has them as tex
 
 const $HINT_OF_COPIES = ". Copies and JSON are no agents: a saved game makes them anew. See docs/snapshots.md in the package, \"A saved game\"";
 
+const $HINT_OF_COPY = ". A copy of an agent's fields is no agent. See docs/questions.md in the package, \"How is an agent copied?\"";
+
 /** What an error says about a value of the wrong kind: what is probably meant by it. `given` is the call, a colon, and the argument's name. */
 export function $hintOfValue(value, expected, given) {
 	const ofCall = $meantInCall(value, expected, given);
@@ -118,6 +120,7 @@ function $meantInCall(value, expected, given) {
 	const isSome = value !== null && /object|string/.test(typeof value) && typeof value.then !== "function";
 	if (given === "Collision.restore: bytes" && isSome) return $HINT_OF_SAVED;
 	if (given.startsWith("Collision.restore: agents[")) return $HINT_OF_COPIES;
+	if (expected === "an Agent" && value?.$revision !== undefined) return $HINT_OF_COPY;
 	const [, model] = /^BuiltInModel\.(capsule|box): (?:radius|x)$/.exec(given) ?? [];
 	if (model && $isWord(value)) {
 		return `. The name comes last: ${model}(${model === "box" ? "4, 0.5, 3" : "0.3, 1.8"}, ${JSON.stringify(value)})`;

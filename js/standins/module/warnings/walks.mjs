@@ -2,7 +2,9 @@
  * Walks and other motions that go wrong: too far in a frame, down without end, stopped by what should be walked through, begun inside of
  * a level.
  */
-import { $getOrInsert, $isSameStep, $rounded, $warn } from "./warn.mjs";
+import { $nameOfBreed } from "./frames.mjs";
+import { $lookAtFooting } from "./properties.mjs";
+import { $getOrInsert, $isPowerOfTwo, $isSameStep, $rounded, $warn } from "./warn.mjs";
 
 /** So many walks in turn that go down steeply are a fall. */
 const $LONG_FALL = 200;
@@ -17,13 +19,13 @@ const $MANY_STRIDES = 30;
 const $MANY_STOPS = 10;
 
 /**
- * Of an agent that walks: how many long strides it has taken in turn; in how many walks in turn it fell, from which height, and its
+ * Of an agent that walks: how often it has walked; how many long strides it has taken in turn; in how many walks in turn it fell, from which height, and its
  * height now.
  */
 const $walkers = /* @__PURE__ */ new WeakMap();
 
 function $newWalker({ z }) {
-	return { strides: 0, falls: 0, top: z, z };
+	return { walks: 0, strides: 0, falls: 0, top: z, z };
 }
 
 /** The last walk. It is looked at when the next one begins, because its Footing is written then. */
@@ -39,6 +41,10 @@ const $jumps = /* @__PURE__ */ new WeakMap();
 /** What has changed more often than this is no level, but a door or an enemy. */
 const $MANY_CHANGES = 20;
 const $REMEDY_FOR_MOVING = "That one moves: the two were in one another before the motion. Where a walk ends, no binding or jump may undo it";
+
+/** What a walk does with another agent that it does not touch: the words of the warning. */
+const $STOPS_BEFORE = { does: "stops before", go: "go through", ask: "bump into them, ask what has stopped it: the Footing's against" };
+const $ENDS_ON = { does: "ends on", go: "fall through", ask: "stand on them, ask what it stands on: the Footing's on" };
 
 /** How many walks of one breed another has stopped, by the text of both. */
 const $stops = /* @__PURE__ */ new Map();
@@ -62,7 +68,9 @@ function $countStride(walker, agent, length) {
 }
 
 function $countFall(walker, agent, length) {
-	walker.falls = walker.z - agent.z > length ? walker.falls + 1 : 0;
+	// who stands on a platform that sinks goes down with it
+	const isFalling = walker.z - agent.z > length && !agent.$platformLink?.platform;
+	walker.falls = isFalling ? walker.falls + 1 : 0;
 	if (walker.falls === 0) walker.top = agent.z;
 	walker.z = agent.z;
 	if (walker.falls !== $LONG_FALL) return;
@@ -80,23 +88,25 @@ function $countFall(walker, agent, length) {
 export function $warnOfWalk(seen, walker, footing) {
 	const { handlers, agent, footing: end } = $lastWalk ?? {};
 	$lastWalk = { handlers: seen._source._handlers, agent: walker, footing };
+	if ($isPowerOfTwo(++$getOrInsert($walkers, walker, $newWalker).walks)) $lookAtFooting(footing);
 	if (!handlers) return;
-	if (end.part < 0.5) $countStop(handlers, "stops before", agent, end.against);
-	$countStop(handlers, "ends on", agent, end.on);
+	if (end.part < 0.5) $countStop(handlers, $STOPS_BEFORE, agent, end.against);
+	$countStop(handlers, $ENDS_ON, agent, end.on);
 }
 
-function $countStop({ interests, _lists, _indices }, does, agent, other) {
+function $countStop({ interests, _lists, _indices }, { does, go, ask }, agent, other) {
 	if (!agent || !other) return; // the walk was refused, or went on
 	const [breed, otherBreed] = [agent.$breedNumber, other.$breedNumber];
 	const haveMet = (first, second) => _lists[_indices.find(first, second)]?.pairHandlers;
 	if (!interests.$hasPair(breed, otherBreed) || haveMet(breed, otherBreed) || haveMet(otherBreed, breed)) return;
-	const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
+	const [name, otherName] = [agent.breed, other.breed].map($nameOfBreed);
 	const stops = ($stops.get(name + otherName) ?? 0) + 1;
 	$stops.set(name + otherName, stops);
 	if (stops !== $MANY_STOPS) return;
-	$warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two do not run while it only stands there. `
-		+ `If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } }). `
-		+ "If it should bump into them, ask what has stopped it: the Footing's against");
+	// who leaves out the ground falls through it
+	const through = other.$isEnvironment ? "" : ` If it should ${go} them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } }).`;
+	$warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two do not run while it only stands there.${through} `
+		+ `If it should ${ask}`);
 }
 
 /**

@@ -26,6 +26,11 @@ export function $getOrInsert(map, object, make) {
 	return value;
 }
 
+/** Whether a count is 1, 2, 4, 8 and so on: what may change at any time is looked at then. */
+export function $isPowerOfTwo(count) {
+	return (count & (count - 1)) === 0;
+}
+
 /** Where an agent is. */
 export function $placeOf({ x, y, z }) {
 	return new Vector3D(x, y, z);

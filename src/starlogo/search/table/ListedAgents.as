@@ -123,7 +123,7 @@ package starlogo.search.table
                 }
                 if (row < 0 ? _newIds.set (agent.idNumber, 0, i) >= 0 : !_inProposed.add(row))
                 {
-                    throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
+                    throw listedTwiceError(list, i);
                 }
                 to[i] = row;
             }
@@ -161,6 +161,19 @@ package starlogo.search.table
             }
             listIndices[GROUND_ROW] = rows.count;
             listIndices[EDGES_ROW] = rows.count + 1;
+        }
+
+        // The two have the same id. In JavaScript they may be two agents: Object.assign copies it.
+        private static function listedTwiceError(list:Vector.<Agent>, index:int):ArgumentError
+        {
+            var agent:Agent = list[index];
+            var first:int = 0;
+            while (list[first].idNumber != agent.idNumber)
+            {
+                first++;
+            }
+            var why:String = list[first] === agent ? "" : ", a copy";
+            return new ArgumentError(agent + " is listed twice: agents[" + first + "] and agents[" + index + "]" + why);
         }
 
         /**

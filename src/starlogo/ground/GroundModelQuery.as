@@ -35,6 +35,8 @@ package starlogo.ground
 
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
 
+        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
+
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _firstImpact:FirstImpact = new FirstImpact();
@@ -68,6 +70,10 @@ package starlogo.ground
         // Whether the two touch where the model is. areTouchingAt() is short so that V8 inlines it and allocates no object for the time.
         private function areTouching():Boolean
         {
+            if (_pairs.piece.tree != null && _deepest.isPointUnder(_pairs.piece, _pairs.search.grid, _pairs.search.origin))
+            {
+                return true;
+            }
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {

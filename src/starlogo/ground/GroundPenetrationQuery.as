@@ -29,6 +29,8 @@ package starlogo.ground
         // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
+        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
+
         private var _exits:GroundExits = new GroundExits();
 
         // Bounds of the heights around the model.
@@ -52,6 +54,21 @@ package starlogo.ground
             {
                 findLift(out);
             }
+        }
+
+        /**
+         * Finds the contact of the deepest point (DeepestPointSearch), if its depth is proven. A push along it may leave other points in the ground.
+         *
+         * @return whether there is one
+         */
+        public function findDeepestPoint(out:ContactPoint):Boolean
+        {
+            if (_deepest.find(_pairs.piece, _pairs.search.grid, _pairs.search.origin, out) && isDepthProven(out))
+            {
+                out.exitBound = MIN_RATIO_PROVEN * out.depth;
+                return true;
+            }
+            return false;
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */

@@ -12,6 +12,8 @@ package starlogo.ground
     import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
+    import starlogo.solid.SupportPoint;
+    import starlogo.solid.SupportSearch;
 
     use namespace engine;
 
@@ -61,6 +63,8 @@ package starlogo.ground
         private var _unsigned:Placement = new Placement();
         private var _modelMargin:Number = 0;
 
+        private var _supportSearch:SupportSearch = new SupportSearch();
+
         // The corners of a triangle; the middle and the half lengths of a structure's box, relative to the model's place.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
@@ -108,6 +112,12 @@ package starlogo.ground
         public function findWholeBox():void
         {
             setBoxAround(_structure);
+        }
+
+        /** Finds the point of the model that is farthest in a direction. */
+        public function findFarthest(direction:Vector3D, out:SupportPoint):void
+        {
+            _supportSearch.find(tree, _depth, _structure, _placement, direction, out);
         }
 
         /** Becomes a node of the tree, or the structure if there is no tree. */

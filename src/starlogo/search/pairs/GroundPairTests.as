@@ -109,6 +109,17 @@ package starlogo.search.pairs
             return contact.exitBound > depthToleranceOf(a, b);
         }
 
+        /** The push of the body's deepest point is enough for most bodies. @inheritDoc */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            motion.endAfter(0, 0, 0);
+            motion.time = 1;
+            if (!(queryOf(a, b).penetration.findDeepestPoint(out) && _penetrationSearch.takePush(a, b, motion, out)))
+            {
+                super.findContact(a, b, motion, out);
+            }
+        }
+
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {

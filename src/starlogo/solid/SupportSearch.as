@@ -1,19 +1,18 @@
-package starlogo.search.pairs
+package starlogo.solid
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.search.Body;
-    import starlogo.search.TreeLimits;
 
     use namespace engine;
 
     /**
-     * Finds the farthest point of a body's shape in a direction. For a tree, the shape is the nodes at which a test ends, or the triangles if
-     * they decide. A node reaches only as far as every node above it does, because a test visits it only if those touch.
+     * Finds the farthest point of a placed model in a direction. The model is a structure or a tree. Of a tree, the nodes at which a test ends count, or the
+     * triangles if they decide. A node reaches only as far as every node above it does, because a test visits it only if those touch.
      *
      * <p>It takes the time of a few branches of the tree: a branch that does not reach as far as the best part so far is left out.</p>
      *
@@ -21,8 +20,6 @@ package starlogo.search.pairs
      */
     public final class SupportSearch
     {
-        private var _limits:TreeLimits;
-
         // The nodes still to visit, the next one last, and an upper bound of the support of each. Trees may be too deep for recursion.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _upperBounds:Vector.<Number> = new Vector.<Number>();
@@ -36,33 +33,30 @@ package starlogo.search.pairs
         // The farthest point of the present part of a tree.
         private var _part:SupportPoint = new SupportPoint();
 
-        /** @param limits how far trees are tested */
-        public function SupportSearch(limits:TreeLimits)
-        {
-            _limits = limits;
-        }
-
         /**
-         * Finds how far a body reaches in a direction, and the farthest point. If several are as far, it is the mean of a structure's corners. A tree's
+         * Finds how far a model reaches in a direction, and the farthest point. If several are as far, it is the mean of a structure's corners. A tree's
          * point is one of its own: the mean of the corners of one triangle, or the middle of one node's side, nearest to the middle of the tree. The
          * mean of all may belong to nothing: it is between the legs of a table.
          *
+         * @param tree the model's tree for the depth; null if a structure represents it
+         * @param depth how many levels of the tree count; BoxTree.EXACT if its triangles decide
+         * @param structure the structure, in the model's space
+         * @param at where the model stands
          * @param direction a unit vector in the world
-         * @param out receives the support and the point
+         * @param out receives the support and the point, in the world
          */
-        public function find(body:Body, direction:Vector3D, out:SupportPoint):void
+        public function find(tree:BoxTree, depth:int, structure:BoundingStructure, at:Placement, direction:Vector3D, out:SupportPoint):void
         {
-            var at:Placement = body.placement;
             Placement.rotateBack(at, direction, _direction);
             out.support = -Infinity;
-            if (body.shape.tree == null)
+            if (tree == null)
             {
-                body.shape.structure.setShape(_shape);
-                findOfShape(_shape, _direction, Tolerances.SEPARATION * body.maxHalf / at.size, out);
+                structure.setShape(_shape);
+                findOfShape(_shape, _direction, out);
             }
             else
             {
-                findOfTree(body, _direction, out);
+                findOfTree(tree, depth, _direction, out);
             }
             bringBack(direction, at, out);
         }
@@ -81,8 +75,9 @@ package starlogo.search.pairs
 
         // The point is the mean of the corners that reach as far as the farthest one, but for a tolerance. They are compared relative to the shape's origin,
         // because far from it rounding would be more than the tolerance.
-        private function findOfShape(shape:ConvexShape, direction:Vector3D, tolerance:Number, out:SupportPoint):void
+        private function findOfShape(shape:ConvexShape, direction:Vector3D, out:SupportPoint):void
         {
+            var tolerance:Number = Tolerances.SEPARATION * shape.boundingRadius / 2;
             var p:Vector.<Number> = shape.points;
             var i:int = shape.support(direction, 1);
             var ofCore:Number = p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z;
@@ -112,11 +107,9 @@ package starlogo.search.pairs
             sum.z /= count;
         }
 
-        // Finds the farthest point of a body's tree in the model's space.
-        private function findOfTree(body:Body, direction:Vector3D, out:SupportPoint):void
+        // Finds the farthest point of a tree in the model's space.
+        private function findOfTree(tree:BoxTree, depth:int, direction:Vector3D, out:SupportPoint):void
         {
-            var depth:int = _limits.depthOf(body);
-            var tree:BoxTree = body.shape.tree.treeFor(depth);
             _nodes[0] = 0;
             _upperBounds[0] = Infinity;
             for (var top:int = 0; top >= 0; top--)

@@ -60,6 +60,15 @@ package starlogo.ground
             _pairs.setTo(grid, tree, structure, placement, depth);
         }
 
+        /**
+         * Whether a quick test shows that the model touches the ground where it stands: its deepest point is under the ground. This shows it of most models
+         * that do.
+         */
+        public function isDeepestPointUnder():Boolean
+        {
+            return _deepest.isPointUnder(_pairs.piece, _pairs.search.grid, _pairs.search.origin);
+        }
+
         /** @inheritDoc */
         override public function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
@@ -70,10 +79,6 @@ package starlogo.ground
         // Whether the two touch where the model is. areTouchingAt() is short so that V8 inlines it and allocates no object for the time.
         private function areTouching():Boolean
         {
-            if (_pairs.piece.tree != null && _deepest.isPointUnder(_pairs.piece, _pairs.search.grid, _pairs.search.origin))
-            {
-                return true;
-            }
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {

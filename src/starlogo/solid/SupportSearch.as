@@ -107,15 +107,15 @@ package starlogo.solid
             sum.z /= count;
         }
 
-        // Finds the farthest point of a tree in the model's space.
+        // Finds the farthest point of a tree in the model's space. Of two nodes, the one that may reach farther comes first.
         private function findOfTree(tree:BoxTree, depth:int, direction:Vector3D, out:SupportPoint):void
         {
             _nodes[0] = 0;
-            _upperBounds[0] = Infinity;
+            _upperBounds[0] = supportOfNode(tree.boxes, 0, direction);
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                var upperBound:Number = Math.min(_upperBounds[top], supportOfNode(tree.boxes, 6 * node, direction));
+                var upperBound:Number = _upperBounds[top];
                 if (upperBound < out.support)
                 {
                     continue;
@@ -123,11 +123,15 @@ package starlogo.solid
                 if (tree.leafUpToDepth[node] < depth)
                 {
                     var left:int = tree.left[node];
-                    var axis:int = tree.axisOf(node);
-                    var along:Number = axis == 0 ? direction.x : axis == 1 ? direction.y : direction.z;
-                    _nodes[top] = along > 0 ? left : left + 1;
-                    _nodes[top + 1] = along > 0 ? left + 1 : left;
-                    _upperBounds[top] = _upperBounds[top + 1] = upperBound;
+                    var ofLeft:Number = supportOfNode(tree.boxes, 6 * left, direction);
+                    var ofRight:Number = supportOfNode(tree.boxes, 6 * left + 6, direction);
+                    var isLeftFirst:Boolean = ofLeft >= ofRight;
+                    var first:Number = isLeftFirst ? ofLeft : ofRight;
+                    var second:Number = isLeftFirst ? ofRight : ofLeft;
+                    _nodes[top] = isLeftFirst ? left + 1 : left;
+                    _nodes[top + 1] = isLeftFirst ? left : left + 1;
+                    _upperBounds[top] = second < upperBound ? second : upperBound;
+                    _upperBounds[top + 1] = first < upperBound ? first : upperBound;
                     top += 2;
                 }
                 else if (depth != BoxTree.EXACT)
@@ -140,8 +144,10 @@ package starlogo.solid
                 {
                     for (var triangle:int = tree.firstPrimitive[node]; triangle < tree.endPrimitive[node]; triangle++)
                     {
-                        findOfTriangle(tree, triangle, direction, _part);
-                        takeIfFarther(_part, tree.boxes, out);
+                        if (findOfTriangle(tree, triangle, direction, out.support, _part))
+                        {
+                            takeIfFarther(_part, tree.boxes, out);
+                        }
                     }
                 }
             }
@@ -150,8 +156,11 @@ package starlogo.solid
         // How far a node's box reaches. Its numbers begin at an index: the middle, and the half-extents.
         private static function supportOfNode(boxes:Vector.<Number>, at:int, direction:Vector3D):Number
         {
-            return boxes[at] * direction.x + boxes[int(at + 1)] * direction.y + boxes[int(at + 2)] * direction.z
-                + boxes[int(at + 3)] * Math.abs(direction.x) + boxes[int(at + 4)] * Math.abs(direction.y) + boxes[int(at + 5)] * Math.abs(direction.z);
+            var x:Number = direction.x;
+            var y:Number = direction.y;
+            var z:Number = direction.z;
+            return boxes[at] * x + boxes[int(at + 1)] * y + boxes[int(at + 2)] * z
+                + boxes[int(at + 3)] * (x < 0 ? -x : x) + boxes[int(at + 4)] * (y < 0 ? -y : y) + boxes[int(at + 5)] * (z < 0 ? -z : z);
         }
 
         // Finds the farthest point of a node's box. If an edge or a face is across the direction, it is the middle of that.
@@ -162,22 +171,32 @@ package starlogo.solid
             out.z = boxes[int(at + 2)] + sideOf(direction.z) * boxes[int(at + 5)];
         }
 
-        // Finds how far a triangle reaches, and the mean of the corners that do.
-        private static function findOfTriangle(tree:BoxTree, triangle:int, direction:Vector3D, out:SupportPoint):void
+        // Finds how far a triangle reaches, and the mean of the corners that do. Returns false if it reaches less far than needed.
+        private static function findOfTriangle(tree:BoxTree, triangle:int, direction:Vector3D, least:Number, out:SupportPoint):Boolean
         {
             var vertices:Vector.<Number> = tree.vertices;
+            var a:int = tree.cornerOffsets[int(3 * triangle)];
+            var b:int = tree.cornerOffsets[int(3 * triangle + 1)];
+            var c:int = tree.cornerOffsets[int(3 * triangle + 2)];
+            var x:Number = direction.x;
+            var y:Number = direction.y;
+            var z:Number = direction.z;
+            var ofA:Number = vertices[a] * x + vertices[int(a + 1)] * y + vertices[int(a + 2)] * z;
+            var ofB:Number = vertices[b] * x + vertices[int(b + 1)] * y + vertices[int(b + 2)] * z;
+            var ofC:Number = vertices[c] * x + vertices[int(c + 1)] * y + vertices[int(c + 2)] * z;
+            var most:Number = ofA > ofB ? ofA : ofB;
+            most = most > ofC ? most : ofC;
+            if (most < least)
+            {
+                return false;
+            }
+            out.support = most;
+            out.x = out.y = out.z = 0;
             var count:int = 0;
-            out.support = -Infinity;
             for (var i:int = 3 * triangle; i < 3 * triangle + 3; i++)
             {
                 var at:int = tree.cornerOffsets[i];
-                var reach:Number = vertices[at] * direction.x + vertices[int(at + 1)] * direction.y + vertices[int(at + 2)] * direction.z;
-                if (reach > out.support)
-                {
-                    out.support = reach;
-                    out.x = out.y = out.z = count = 0;
-                }
-                if (reach == out.support)
+                if ((at == a ? ofA : at == b ? ofB : ofC) == most)
                 {
                     count++;
                     out.x += vertices[at];
@@ -186,6 +205,7 @@ package starlogo.solid
                 }
             }
             divide(out, count);
+            return true;
         }
 
         // Takes the point of a part of a tree, whose box is the first, if the part reaches farther than the parts before, or as far and the point is nearer

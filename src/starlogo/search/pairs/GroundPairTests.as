@@ -42,6 +42,9 @@ package starlogo.search.pairs
         private var _query:GroundModelQuery = new GroundModelQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
 
+        // A displacement of the body, as the start of a motion.
+        private var _push:RelativeMotion = new RelativeMotion();
+
         /** @param limits how far trees are tested */
         public function GroundPairTests(limits:TreeLimits)
         {
@@ -59,7 +62,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            return touchesAtBeginning(a, b, RelativeMotion.NONE);
+            return a.kind == ModelShape.TREE && queryOf(a, b).isDeepestPointUnder() || touchesAtBeginning(a, b, RelativeMotion.NONE);
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
@@ -109,15 +112,34 @@ package starlogo.search.pairs
             return contact.exitBound > depthToleranceOf(a, b);
         }
 
-        /** The push of the body's deepest point is enough for most bodies. @inheritDoc */
+        /** For most bodies, the push that leads their deepest point out of the ground leads all of them out. @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            motion.endAfter(0, 0, 0);
-            motion.time = 1;
-            if (!(queryOf(a, b).penetration.findDeepestPoint(out) && _penetrationSearch.takePush(a, b, motion, out)))
+            if (findPushOfDeepestPoint(a, b, out))
             {
-                super.findContact(a, b, motion, out);
+                motion.endAfter(0, 0, 0);
+                motion.time = 1;
+                OverlapMiddle.movePoint(a, b, out);
+                OverlapMiddle.keepWithin(a, out);
+                return;
             }
+            super.findContact(a, b, motion, out);
+        }
+
+        // Finds the contact of a body's deepest point. Returns whether it separates the two: a little before the end of its push the point is still under the
+        // ground, and a little after it the body is free.
+        private function findPushOfDeepestPoint(a:Body, b:Body, out:ContactPoint):Boolean
+        {
+            var tolerance:Number = depthToleranceOf(a, b);
+            if (!queryOf(a, b).penetration.findDeepestPoint(tolerance, out))
+            {
+                return false;
+            }
+            var length:Number = out.depth + tolerance / 4;
+            _push.startX = length * out.normalX;
+            _push.startY = length * out.normalY;
+            _push.startZ = length * out.normalZ;
+            return !touchesAtBeginning(a, b, _push);
         }
 
         /** @inheritDoc */

@@ -65,35 +65,6 @@ package starlogo.search.penetration
             _pair.finish(out);
         }
 
-        /**
-         * Takes the push of a contact as it is, if it separates two bodies.
-         *
-         * @param motion as in separate()
-         * @param out a contact that is deeper than the tolerance. Its point becomes the middle of the overlap if the push is taken
-         * @return whether it is taken
-         */
-        public function takePush(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
-        {
-            _pair.setTo(a, b, motion);
-            if (!(out.depth > 2 * _pair.tolerance))
-            {
-                return false;
-            }
-            _guess.copyFrom(out);
-            _guess.depth = out.depth + _pair.probeDistance;
-            if (_pair.touchesAfter(_guess))
-            {
-                return false;
-            }
-            _guess.depth = out.depth - _pair.probeDistance;
-            if (!_pair.touchesAfter(_guess))
-            {
-                return false;
-            }
-            _pair.finish(out);
-            return true;
-        }
-
         // Finds a push for two bodies that touch.
         private function findPush(motion:RelativeMotion, out:ContactPoint):void
         {

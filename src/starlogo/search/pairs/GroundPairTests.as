@@ -62,7 +62,18 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            return a.kind == ModelShape.TREE && queryOf(a, b).isDeepestPointUnder() || touchesAtBeginning(a, b, RelativeMotion.NONE);
+            return isDeepestPointUnder(a, b) || touchesAtBeginning(a, b, RelativeMotion.NONE);
+        }
+
+        // Whether a quick test shows that a tree touches the ground. The other tests of a structure are as quick.
+        private function isDeepestPointUnder(a:Body, b:Body):Boolean
+        {
+            if (a.kind != ModelShape.TREE)
+            {
+                return false;
+            }
+            setBox(a, RelativeMotion.NONE);
+            return _earlyOut.isLowestInGround(gridOf(b), _box) && queryOf(a, b).isDeepestPointUnder();
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
@@ -191,14 +202,20 @@ package starlogo.search.pairs
         // Whether a body touches the ground where a motion begins that ends where it stands.
         private function touchesAtBeginning(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
+            setBox(a, motion);
+            var found:int = _earlyOut.decide(gridOf(b), _box, a.kind);
+            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).areTouchingAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
+        }
+
+        // Sets the box to a body's extents where a motion begins.
+        private function setBox(a:Body, motion:RelativeMotion):void
+        {
             _box.x = a.middleX + motion.startX;
             _box.y = a.middleY + motion.startY;
             _box.z = a.middleZ + motion.startZ;
             _box.halfX = a.halfX;
             _box.halfY = a.halfY;
             _box.halfZ = a.halfZ;
-            var found:int = _earlyOut.decide(gridOf(b), _box, a.kind);
-            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).areTouchingAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
         }
 
         // The query of the ground, set to a body.

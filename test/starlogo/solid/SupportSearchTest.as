@@ -130,7 +130,7 @@ package starlogo.solid
                 body.setToAgent(agent, shape);
                 var direction:Vector3D = structures.direction();
                 var farthest:SupportPoint = new SupportPoint();
-                new SupportSearch().find(null, 1, structure, body.placement, direction, farthest);
+                new SupportSearch().find(null, 1, body.shape.structure, body.placement, direction, farthest);
                 var along:Number = new Vector3D(farthest.x, farthest.y, farthest.z).dotProduct(direction);
                 assertTrue(structure + ": " + along + ", not " + farthest.support, Math.abs(along - farthest.support) < 1e-9 * size + 1e-12 * spread);
             }
@@ -156,7 +156,7 @@ package starlogo.solid
         {
             var body:Body = new StructureBody().setTo(structure);
             var farthest:SupportPoint = new SupportPoint();
-            new SupportSearch().find(null, 1, structure, body.placement, direction, farthest);
+            new SupportSearch().find(null, 1, body.shape.structure, body.placement, direction, farthest);
             return farthest;
         }
 

@@ -29,6 +29,8 @@ package starlogo.ground
         // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
+        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
+
         private var _exits:GroundExits = new GroundExits();
 
         // Bounds of the heights around the model.
@@ -52,6 +54,25 @@ package starlogo.ground
             {
                 findLift(out);
             }
+        }
+
+        /**
+         * Finds the contact of the deepest point (DeepestPointSearch), if its depth is proven. A push along it may leave other points in the ground.
+         *
+         * @param tolerance how far a depth may be off. Up to two of these nothing is found. A quarter of it before the end of the push, the point is still
+         *     under the ground
+         * @param out receives the contact, in the world
+         * @return whether there is one
+         */
+        public function findDeepestPoint(tolerance:Number, out:ContactPoint):Boolean
+        {
+            var grid:HeightGrid = _pairs.search.grid;
+            if (!_deepest.find(_pairs.piece, grid, _pairs.search.origin, out) || out.depth <= 2 * tolerance || !isDepthProven(out))
+            {
+                return false;
+            }
+            var toEnd:Number = out.depth / 2 - tolerance / 4;
+            return grid.heightAt(out.x + toEnd * out.normalX, out.y + toEnd * out.normalY) > out.z + toEnd * out.normalZ;
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
@@ -108,7 +129,7 @@ package starlogo.ground
             var isFound:Boolean = false;
             // less than any depth, so that rounding hides no piece that just touches
             out.depth = -Tolerances.SEPARATION * _pairs.search.grid.cellWidth;
-            _pairs.begin(RelativeMotion.NONE, 0);
+            _pairs.beginBehindPlanes();
             while (_pairs.next())
             {
                 var near:GroundTriangle = _pairs.triangle;

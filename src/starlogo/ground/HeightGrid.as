@@ -2,7 +2,8 @@
 // HeightPyramid bounds of them. Three parts build on these:
 // - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
 // - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPiece), each with the triangles near it.
-// GroundPenetrationQuery finds how deep the model is, GroundExits a lower bound of the lengths of its exits.
+// GroundPenetrationQuery finds how deep the model is, GroundExits a lower bound of the lengths of its exits. DeepestPointSearch needs no
+// triangles: it finds the model's deepest point along the ground's normals.
 // - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
 // Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground

@@ -12,6 +12,8 @@ package starlogo.ground
     import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
+    import starlogo.solid.SupportPoint;
+    import starlogo.solid.SupportSearch;
 
     use namespace engine;
 
@@ -56,10 +58,11 @@ package starlogo.ground
         // How many levels of the tree are visited; EXACT if triangles are the smallest pieces.
         private var _depth:int;
 
-        // The model's placement, relative to the origin; the numbers of its rotation without their signs; and the margin for its place and surface.
+        // The model's placement, relative to the origin; and the margin for its place and surface.
         private var _placement:Placement = new Placement();
-        private var _unsigned:Placement = new Placement();
         private var _modelMargin:Number = 0;
+
+        private var _supportSearch:SupportSearch = new SupportSearch();
 
         // The corners of a triangle; the middle and the half lengths of a structure's box, relative to the model's place.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
@@ -79,15 +82,6 @@ package starlogo.ground
             }
             _placement.copyFrom(placement);
             moveTo(RelativeMotion.NONE, 0);
-            _unsigned.r00 = Math.abs(placement.r00);
-            _unsigned.r01 = Math.abs(placement.r01);
-            _unsigned.r02 = Math.abs(placement.r02);
-            _unsigned.r10 = Math.abs(placement.r10);
-            _unsigned.r11 = Math.abs(placement.r11);
-            _unsigned.r12 = Math.abs(placement.r12);
-            _unsigned.r20 = Math.abs(placement.r20);
-            _unsigned.r21 = Math.abs(placement.r21);
-            _unsigned.r22 = Math.abs(placement.r22);
         }
 
         /** Moves the model to where a motion has brought it at a time. */
@@ -108,6 +102,12 @@ package starlogo.ground
         public function findWholeBox():void
         {
             setBoxAround(_structure);
+        }
+
+        /** Finds the point of the model that is farthest in a direction. */
+        public function findFarthest(direction:Vector3D, out:SupportPoint):void
+        {
+            _supportSearch.find(tree, _depth, _structure, _placement, direction, out);
         }
 
         /** Becomes a node of the tree, or the structure if there is no tree. */
@@ -171,9 +171,9 @@ package starlogo.ground
             box.x = point.x = _placement.r00 * x + _placement.r01 * y + _placement.r02 * z + _placement.x;
             box.y = point.y = _placement.r10 * x + _placement.r11 * y + _placement.r12 * z + _placement.y;
             box.z = point.z = _placement.r20 * x + _placement.r21 * y + _placement.r22 * z + _placement.z;
-            box.halfX = _unsigned.r00 * halfX + _unsigned.r01 * halfY + _unsigned.r02 * halfZ + margin + _modelMargin;
-            box.halfY = _unsigned.r10 * halfX + _unsigned.r11 * halfY + _unsigned.r12 * halfZ + margin + _modelMargin;
-            box.halfZ = _unsigned.r20 * halfX + _unsigned.r21 * halfY + _unsigned.r22 * halfZ + margin + _modelMargin;
+            box.halfX = Math.abs(_placement.r00) * halfX + Math.abs(_placement.r01) * halfY + Math.abs(_placement.r02) * halfZ + margin + _modelMargin;
+            box.halfY = Math.abs(_placement.r10) * halfX + Math.abs(_placement.r11) * halfY + Math.abs(_placement.r12) * halfZ + margin + _modelMargin;
+            box.halfZ = Math.abs(_placement.r20) * halfX + Math.abs(_placement.r21) * halfY + Math.abs(_placement.r22) * halfZ + margin + _modelMargin;
         }
 
         // Becomes a structure of the model.

@@ -36,6 +36,9 @@ package starlogo.ground
         /** A limit: how deep a piece must be behind a triangle's plane. Triangles of which it clearly is not are left out. */
         public var minDepth:Number = 0;
 
+        // Whether triangles of the model need not be near the ground's triangles whose planes they are behind.
+        private var _isPlaneEnough:Boolean = false;
+
         private var _source:GroundTriangles = new GroundTriangles();
 
         // The triangles that the search has found near an inner node. Near any other piece, it writes each to the first one. Later searches use the same objects,
@@ -85,6 +88,25 @@ package starlogo.ground
         {
             search.motion = motion;
             search.maxDistance = maxDistance;
+            _isPlaneEnough = false;
+            start();
+        }
+
+        /**
+         * Begins with pieces that stand, for depths behind planes. A triangle of the model counts with each listed triangle of the ground that it is behind the
+         * plane of, because it may be deepest behind one that is wholly above it.
+         */
+        public function beginBehindPlanes():void
+        {
+            search.motion = RelativeMotion.NONE;
+            search.maxDistance = 0;
+            _isPlaneEnough = true;
+            start();
+        }
+
+        // Begins with the whole model.
+        private function start():void
+        {
             minDepth = 0;
             _source.stop();
             _next = _end = _listBegin = _listEnd = 0;
@@ -227,12 +249,11 @@ package starlogo.ground
         }
 
         // Lists those of some triangles that the current piece comes near: the box around its motion meets the triangle's own box, and is not all in front of its
-        // plane. If the piece is a triangle and no distance is wanted, only the plane counts, because the piece may be deepest behind a triangle of the ground
-        // that is wholly above it.
+        // plane.
         private function choose(from:Vector.<GroundTriangle>, begin:int, end:int):void
         {
             var maxDistance:Number = search.maxDistance;
-            var isPlaneEnough:Boolean = piece.kind == ModelPiece.TRIANGLE && maxDistance == 0;
+            var isPlaneEnough:Boolean = _isPlaneEnough && piece.kind == ModelPiece.TRIANGLE;
             var gap:Number = maxDistance + _source.path.slack;
             var around:GroundBox = piece.box;
             if (!search.motion.isStill)

@@ -10,6 +10,9 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.TreeLimits;
+    import starlogo.solid.ModelTree;
+    import starlogo.solid.SupportPoint;
+    import starlogo.solid.SupportSearch;
 
     use namespace engine;
 
@@ -34,13 +37,14 @@ package starlogo.search.pairs
         // By edge, after findPenetrations(): how far the body is beyond it; less than 0 if the body is before it.
         private var _penetrations:Vector.<Number> = new Vector.<Number>(6, true);
 
-        private var _supportSearch:SupportSearch;
+        private var _limits:TreeLimits;
+        private var _supportSearch:SupportSearch = new SupportSearch();
         private var _farthest:SupportPoint = new SupportPoint();
 
         /** @param limits how far trees are tested */
         public function EdgePairTests(limits:TreeLimits)
         {
-            _supportSearch = new SupportSearch(limits);
+            _limits = limits;
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -96,7 +100,7 @@ package starlogo.search.pairs
         {
             var deepest:int = findDeepest(a, b, motion);
             var left:Number = 1 - motion.time;
-            _supportSearch.find(a, OUTWARDS[deepest], _farthest);
+            findFarthest(a, OUTWARDS[deepest], _farthest);
             out.x = _farthest.x - left * motion.x;
             out.y = _farthest.y - left * motion.y;
             out.z = _farthest.z - left * motion.z;
@@ -136,7 +140,7 @@ package starlogo.search.pairs
         {
             var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
             var outwards:Vector3D = OUTWARDS[deepest];
-            _supportSearch.find(a, outwards, _farthest);
+            findFarthest(a, outwards, _farthest);
             var own:Number = along(deepest, _farthest.x, _farthest.y, _farthest.z);
             var toEdge:Number = coordinateOf(b, deepest) - own;
             // corners that count as equally far are not quite, and the point is their mean
@@ -187,11 +191,19 @@ package starlogo.search.pairs
                 var way:Number = along(edge, motion.x, motion.y, motion.z);
                 if (body.kind == ModelShape.TREE && (beyond >= -tolerance || beyond - way >= -tolerance))
                 {
-                    _supportSearch.find(body, OUTWARDS[edge], _farthest);
+                    findFarthest(body, OUTWARDS[edge], _farthest);
                     beyond = _farthest.support - coordinate;
                 }
                 _penetrations[edge] = beyond - (1 - motion.time) * way;
             }
+        }
+
+        // Finds how far a body reaches in a direction.
+        private function findFarthest(body:Body, direction:Vector3D, out:SupportPoint):void
+        {
+            var tree:ModelTree = body.shape.tree;
+            var depth:int = tree == null ? 1 : _limits.depthOf(body);
+            _supportSearch.find(tree == null ? null : tree.treeFor(depth), depth, body.shape.structure, body.placement, direction, out);
         }
 
         // The place of an edge in the direction out of the world.

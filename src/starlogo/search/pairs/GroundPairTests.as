@@ -42,6 +42,9 @@ package starlogo.search.pairs
         private var _query:GroundModelQuery = new GroundModelQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
 
+        // A displacement of the body, as the start of a motion.
+        private var _push:RelativeMotion = new RelativeMotion();
+
         /** @param limits how far trees are tested */
         public function GroundPairTests(limits:TreeLimits)
         {
@@ -59,7 +62,18 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            return touchesAtBeginning(a, b, RelativeMotion.NONE);
+            return isDeepestPointUnder(a, b) || touchesAtBeginning(a, b, RelativeMotion.NONE);
+        }
+
+        // Whether a quick test shows that a tree touches the ground. The other tests of a structure are as quick.
+        private function isDeepestPointUnder(a:Body, b:Body):Boolean
+        {
+            if (a.kind != ModelShape.TREE)
+            {
+                return false;
+            }
+            setBox(a, RelativeMotion.NONE);
+            return _earlyOut.isLowestInGround(gridOf(b), _box) && queryOf(a, b).isDeepestPointUnder();
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
@@ -107,6 +121,36 @@ package starlogo.search.pairs
         override protected function showsTouch(a:Body, b:Body, contact:ContactPoint):Boolean
         {
             return contact.exitBound > depthToleranceOf(a, b);
+        }
+
+        /** For most bodies, the push that leads their deepest point out of the ground leads all of them out. @inheritDoc */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (findPushOfDeepestPoint(a, b, out))
+            {
+                motion.endAfter(0, 0, 0);
+                motion.time = 1;
+                OverlapMiddle.movePoint(a, b, out);
+                OverlapMiddle.keepWithin(a, out);
+                return;
+            }
+            super.findContact(a, b, motion, out);
+        }
+
+        // Finds the contact of a body's deepest point. Returns whether it separates the two: a little before the end of its push the point is still under the
+        // ground, and a little after it the body is free.
+        private function findPushOfDeepestPoint(a:Body, b:Body, out:ContactPoint):Boolean
+        {
+            var tolerance:Number = depthToleranceOf(a, b);
+            if (!queryOf(a, b).penetration.findDeepestPoint(tolerance, out))
+            {
+                return false;
+            }
+            var length:Number = out.depth + tolerance / 4;
+            _push.startX = length * out.normalX;
+            _push.startY = length * out.normalY;
+            _push.startZ = length * out.normalZ;
+            return !touchesAtBeginning(a, b, _push);
         }
 
         /** @inheritDoc */
@@ -158,14 +202,20 @@ package starlogo.search.pairs
         // Whether a body touches the ground where a motion begins that ends where it stands.
         private function touchesAtBeginning(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
+            setBox(a, motion);
+            var found:int = _earlyOut.decide(gridOf(b), _box, a.kind);
+            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).areTouchingAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
+        }
+
+        // Sets the box to a body's extents where a motion begins.
+        private function setBox(a:Body, motion:RelativeMotion):void
+        {
             _box.x = a.middleX + motion.startX;
             _box.y = a.middleY + motion.startY;
             _box.z = a.middleZ + motion.startZ;
             _box.halfX = a.halfX;
             _box.halfY = a.halfY;
             _box.halfZ = a.halfZ;
-            var found:int = _earlyOut.decide(gridOf(b), _box, a.kind);
-            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).areTouchingAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
         }
 
         // The query of the ground, set to a body.

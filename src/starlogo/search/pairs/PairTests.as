@@ -1,5 +1,5 @@
 // This folder tests two bodies, by a class for each kind of pairs, all with the same methods: SpherePairTests, StructurePairTests and TreePairTests
-// for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world. SupportSearch finds how far a body reaches.
+// for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world.
 // Read this file first, then StructurePairTests, the shortest one. Three of the methods are sweeps: they find the first touch on a motion. They differ
 // if the two touch where the motion begins. Only findFirstTouch finds a touch that rounding hides at the end of a motion far shorter than the two are.
 // The methods, in the order of this file:

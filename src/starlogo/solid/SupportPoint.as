@@ -1,7 +1,7 @@
-package starlogo.search.pairs
+package starlogo.solid
 {
     /**
-     * The farthest point of a body in a direction, and how far it is. A record.
+     * The farthest point of a model in a direction, and how far it is. A record.
      *
      * @private
      */

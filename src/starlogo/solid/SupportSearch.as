@@ -1,19 +1,18 @@
-package starlogo.search.pairs
+package starlogo.solid
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.search.Body;
-    import starlogo.search.TreeLimits;
 
     use namespace engine;
 
     /**
-     * Finds the farthest point of a body's shape in a direction. For a tree, the shape is the nodes at which a test ends, or the triangles if
-     * they decide. A node reaches only as far as every node above it does, because a test visits it only if those touch.
+     * Finds the farthest point of a placed model in a direction. The model is a structure or a tree. Of a tree, the nodes at which a test ends count, or the
+     * triangles if they decide. A node reaches only as far as every node above it does, because a test visits it only if those touch.
      *
      * <p>It takes the time of a few branches of the tree: a branch that does not reach as far as the best part so far is left out.</p>
      *
@@ -21,8 +20,6 @@ package starlogo.search.pairs
      */
     public final class SupportSearch
     {
-        private var _limits:TreeLimits;
-
         // The nodes still to visit, the next one last, and an upper bound of the support of each. Trees may be too deep for recursion.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _upperBounds:Vector.<Number> = new Vector.<Number>();
@@ -36,33 +33,30 @@ package starlogo.search.pairs
         // The farthest point of the present part of a tree.
         private var _part:SupportPoint = new SupportPoint();
 
-        /** @param limits how far trees are tested */
-        public function SupportSearch(limits:TreeLimits)
-        {
-            _limits = limits;
-        }
-
         /**
-         * Finds how far a body reaches in a direction, and the farthest point. If several are as far, it is the mean of a structure's corners. A tree's
+         * Finds how far a model reaches in a direction, and the farthest point. If several are as far, it is the mean of a structure's corners. A tree's
          * point is one of its own: the mean of the corners of one triangle, or the middle of one node's side, nearest to the middle of the tree. The
          * mean of all may belong to nothing: it is between the legs of a table.
          *
+         * @param tree the model's tree for the depth; null if a structure represents it
+         * @param depth how many levels of the tree count; BoxTree.EXACT if its triangles decide
+         * @param structure the structure, in the model's space
+         * @param at where the model stands
          * @param direction a unit vector in the world
-         * @param out receives the support and the point
+         * @param out receives the support and the point, in the world
          */
-        public function find(body:Body, direction:Vector3D, out:SupportPoint):void
+        public function find(tree:BoxTree, depth:int, structure:BoundingStructure, at:Placement, direction:Vector3D, out:SupportPoint):void
         {
-            var at:Placement = body.placement;
             Placement.rotateBack(at, direction, _direction);
             out.support = -Infinity;
-            if (body.shape.tree == null)
+            if (tree == null)
             {
-                body.shape.structure.setShape(_shape);
-                findOfShape(_shape, _direction, Tolerances.SEPARATION * body.maxHalf / at.size, out);
+                structure.setShape(_shape);
+                findOfShape(_shape, _direction, out);
             }
             else
             {
-                findOfTree(body, _direction, out);
+                findOfTree(tree, depth, _direction, out);
             }
             bringBack(direction, at, out);
         }
@@ -81,8 +75,9 @@ package starlogo.search.pairs
 
         // The point is the mean of the corners that reach as far as the farthest one, but for a tolerance. They are compared relative to the shape's origin,
         // because far from it rounding would be more than the tolerance.
-        private function findOfShape(shape:ConvexShape, direction:Vector3D, tolerance:Number, out:SupportPoint):void
+        private function findOfShape(shape:ConvexShape, direction:Vector3D, out:SupportPoint):void
         {
+            var tolerance:Number = Tolerances.SEPARATION * shape.boundingRadius / 2;
             var p:Vector.<Number> = shape.points;
             var i:int = shape.support(direction, 1);
             var ofCore:Number = p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z;
@@ -112,17 +107,15 @@ package starlogo.search.pairs
             sum.z /= count;
         }
 
-        // Finds the farthest point of a body's tree in the model's space.
-        private function findOfTree(body:Body, direction:Vector3D, out:SupportPoint):void
+        // Finds the farthest point of a tree in the model's space. Of two nodes, the one that may reach farther comes first.
+        private function findOfTree(tree:BoxTree, depth:int, direction:Vector3D, out:SupportPoint):void
         {
-            var depth:int = _limits.depthOf(body);
-            var tree:BoxTree = body.shape.tree.treeFor(depth);
             _nodes[0] = 0;
-            _upperBounds[0] = Infinity;
+            _upperBounds[0] = supportOfNode(tree.boxes, 0, direction);
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                var upperBound:Number = Math.min(_upperBounds[top], supportOfNode(tree.boxes, 6 * node, direction));
+                var upperBound:Number = _upperBounds[top];
                 if (upperBound < out.support)
                 {
                     continue;
@@ -130,11 +123,15 @@ package starlogo.search.pairs
                 if (tree.leafUpToDepth[node] < depth)
                 {
                     var left:int = tree.left[node];
-                    var axis:int = tree.axisOf(node);
-                    var along:Number = axis == 0 ? direction.x : axis == 1 ? direction.y : direction.z;
-                    _nodes[top] = along > 0 ? left : left + 1;
-                    _nodes[top + 1] = along > 0 ? left + 1 : left;
-                    _upperBounds[top] = _upperBounds[top + 1] = upperBound;
+                    var ofLeft:Number = supportOfNode(tree.boxes, 6 * left, direction);
+                    var ofRight:Number = supportOfNode(tree.boxes, 6 * left + 6, direction);
+                    var isLeftFirst:Boolean = ofLeft >= ofRight;
+                    var first:Number = isLeftFirst ? ofLeft : ofRight;
+                    var second:Number = isLeftFirst ? ofRight : ofLeft;
+                    _nodes[top] = isLeftFirst ? left + 1 : left;
+                    _nodes[top + 1] = isLeftFirst ? left : left + 1;
+                    _upperBounds[top] = second < upperBound ? second : upperBound;
+                    _upperBounds[top + 1] = first < upperBound ? first : upperBound;
                     top += 2;
                 }
                 else if (depth != BoxTree.EXACT)
@@ -147,8 +144,10 @@ package starlogo.search.pairs
                 {
                     for (var triangle:int = tree.firstPrimitive[node]; triangle < tree.endPrimitive[node]; triangle++)
                     {
-                        findOfTriangle(tree, triangle, direction, _part);
-                        takeIfFarther(_part, tree.boxes, out);
+                        if (findOfTriangle(tree, triangle, direction, out.support, _part))
+                        {
+                            takeIfFarther(_part, tree.boxes, out);
+                        }
                     }
                 }
             }
@@ -157,8 +156,11 @@ package starlogo.search.pairs
         // How far a node's box reaches. Its numbers begin at an index: the middle, and the half-extents.
         private static function supportOfNode(boxes:Vector.<Number>, at:int, direction:Vector3D):Number
         {
-            return boxes[at] * direction.x + boxes[int(at + 1)] * direction.y + boxes[int(at + 2)] * direction.z
-                + boxes[int(at + 3)] * Math.abs(direction.x) + boxes[int(at + 4)] * Math.abs(direction.y) + boxes[int(at + 5)] * Math.abs(direction.z);
+            var x:Number = direction.x;
+            var y:Number = direction.y;
+            var z:Number = direction.z;
+            return boxes[at] * x + boxes[int(at + 1)] * y + boxes[int(at + 2)] * z
+                + boxes[int(at + 3)] * (x < 0 ? -x : x) + boxes[int(at + 4)] * (y < 0 ? -y : y) + boxes[int(at + 5)] * (z < 0 ? -z : z);
         }
 
         // Finds the farthest point of a node's box. If an edge or a face is across the direction, it is the middle of that.
@@ -169,22 +171,32 @@ package starlogo.search.pairs
             out.z = boxes[int(at + 2)] + sideOf(direction.z) * boxes[int(at + 5)];
         }
 
-        // Finds how far a triangle reaches, and the mean of the corners that do.
-        private static function findOfTriangle(tree:BoxTree, triangle:int, direction:Vector3D, out:SupportPoint):void
+        // Finds how far a triangle reaches, and the mean of the corners that do. Returns false if it reaches less far than needed.
+        private static function findOfTriangle(tree:BoxTree, triangle:int, direction:Vector3D, least:Number, out:SupportPoint):Boolean
         {
             var vertices:Vector.<Number> = tree.vertices;
+            var a:int = tree.cornerOffsets[int(3 * triangle)];
+            var b:int = tree.cornerOffsets[int(3 * triangle + 1)];
+            var c:int = tree.cornerOffsets[int(3 * triangle + 2)];
+            var x:Number = direction.x;
+            var y:Number = direction.y;
+            var z:Number = direction.z;
+            var ofA:Number = vertices[a] * x + vertices[int(a + 1)] * y + vertices[int(a + 2)] * z;
+            var ofB:Number = vertices[b] * x + vertices[int(b + 1)] * y + vertices[int(b + 2)] * z;
+            var ofC:Number = vertices[c] * x + vertices[int(c + 1)] * y + vertices[int(c + 2)] * z;
+            var most:Number = ofA > ofB ? ofA : ofB;
+            most = most > ofC ? most : ofC;
+            if (most < least)
+            {
+                return false;
+            }
+            out.support = most;
+            out.x = out.y = out.z = 0;
             var count:int = 0;
-            out.support = -Infinity;
             for (var i:int = 3 * triangle; i < 3 * triangle + 3; i++)
             {
                 var at:int = tree.cornerOffsets[i];
-                var reach:Number = vertices[at] * direction.x + vertices[int(at + 1)] * direction.y + vertices[int(at + 2)] * direction.z;
-                if (reach > out.support)
-                {
-                    out.support = reach;
-                    out.x = out.y = out.z = count = 0;
-                }
-                if (reach == out.support)
+                if ((at == a ? ofA : at == b ? ofB : ofC) == most)
                 {
                     count++;
                     out.x += vertices[at];
@@ -193,6 +205,7 @@ package starlogo.search.pairs
                 }
             }
             divide(out, count);
+            return true;
         }
 
         // Takes the point of a part of a tree, whose box is the first, if the part reaches farther than the parts before, or as far and the point is nearer

@@ -1,4 +1,4 @@
-package starlogo.search.pairs
+package starlogo.solid
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
@@ -21,8 +21,7 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.StructureBody;
-    import starlogo.search.TreeLimits;
-    import starlogo.solid.ModelTree;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.terrain.WorldBounds;
     import support.ChainOfNodes;
     import support.Effort;
@@ -80,13 +79,11 @@ package starlogo.search.pairs
             shape.setTree(new ModelTree(ChainOfNodes.read(count, count, ChainOfNodes.OF_THE_THESIS, false)));
             var body:Body = new Body();
             body.setToAgent(new Agent("chain"), shape);
-            var limits:TreeLimits = new TreeLimits();
-            limits.maxDepth = int.MAX_VALUE;
-            var search:SupportSearch = new SupportSearch(limits);
+            var search:SupportSearch = new SupportSearch();
             var farthest:SupportPoint = new SupportPoint();
             for each (var side:int in [-1, 1])
             {
-                search.find(body, new Vector3D(side, 0, 0), farthest);
+                search.find(shape.tree.treeFor(BoxTree.LEAVES), BoxTree.LEAVES, null, body.placement, new Vector3D(side, 0, 0), farthest);
                 assertTrue(farthest.support + " and " + farthest.x, Math.abs(farthest.support - (side > 0 ? count - 1 : 0)) < 1e-3);
                 assertTrue(Math.abs(farthest.x - side * farthest.support) < 1e-3);
             }
@@ -133,7 +130,7 @@ package starlogo.search.pairs
                 body.setToAgent(agent, shape);
                 var direction:Vector3D = structures.direction();
                 var farthest:SupportPoint = new SupportPoint();
-                new SupportSearch(new TreeLimits()).find(body, direction, farthest);
+                new SupportSearch().find(null, 1, body.shape.structure, body.placement, direction, farthest);
                 var along:Number = new Vector3D(farthest.x, farthest.y, farthest.z).dotProduct(direction);
                 assertTrue(structure + ": " + along + ", not " + farthest.support, Math.abs(along - farthest.support) < 1e-9 * size + 1e-12 * spread);
             }
@@ -159,7 +156,7 @@ package starlogo.search.pairs
         {
             var body:Body = new StructureBody().setTo(structure);
             var farthest:SupportPoint = new SupportPoint();
-            new SupportSearch(new TreeLimits()).find(body, direction, farthest);
+            new SupportSearch().find(null, 1, body.shape.structure, body.placement, direction, farthest);
             return farthest;
         }
 

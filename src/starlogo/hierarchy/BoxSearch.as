@@ -94,9 +94,9 @@ package starlogo.hierarchy
         public function beginMet(tree:BoxTree, depth:int, motion:RelativeMotion):void
         {
             limit = motion.latestTime;
-            _inverseX = inverseOf(motion.x);
-            _inverseY = inverseOf(motion.y);
-            _inverseZ = inverseOf(motion.z);
+            _inverseX = Math.max(-STILL, Math.min(STILL, 1 / motion.x));
+            _inverseY = Math.max(-STILL, Math.min(STILL, 1 / motion.y));
+            _inverseZ = Math.max(-STILL, Math.min(STILL, 1 / motion.z));
             _earliest = 0;
             begin(tree, depth);
         }
@@ -106,9 +106,9 @@ package starlogo.hierarchy
         {
             setCube(ray.origin.x, ray.origin.y, ray.origin.z, 0);
             limit = ray.to;
-            _inverseX = inverseOf(ray.direction.x);
-            _inverseY = inverseOf(ray.direction.y);
-            _inverseZ = inverseOf(ray.direction.z);
+            _inverseX = Math.max(-STILL, Math.min(STILL, 1 / ray.direction.x));
+            _inverseY = Math.max(-STILL, Math.min(STILL, 1 / ray.direction.y));
+            _inverseZ = Math.max(-STILL, Math.min(STILL, 1 / ray.direction.z));
             _earliest = ray.from;
             begin(tree, depth);
         }
@@ -146,16 +146,6 @@ package starlogo.hierarchy
             _top = 1;
         }
 
-        private static function inverseOf(motion:Number):Number
-        {
-            var inverse:Number = 1 / motion;
-            if (inverse > -STILL && inverse < STILL)
-            {
-                return inverse;
-            }
-            return STILL;
-        }
-
         /**
          * The next leaf that the box may meet within the limit; -1 if there is none. The root is visited untested. On the way down the nearer child is next, and
          * the other one waits. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One function
@@ -177,7 +167,8 @@ package starlogo.hierarchy
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
-            var isStill:Boolean = inverseX == STILL && inverseY == STILL && inverseZ == STILL;
+            var isStill:Boolean = absX == STILL && absY == STILL && absZ == STILL;
+            var isExact:Boolean = _depth == BoxTree.EXACT;
             var earliest:Number = _earliest;
             var latest:Number = limit < LATEST ? limit : LATEST;
             var top:int = _top;
@@ -188,7 +179,9 @@ package starlogo.hierarchy
                 while (node >= 0)
                 {
                     _counts.nodeVisits++;
-                    if (tree.leafUpToDepth[node] >= _depth)
+                    // an exact search reads one list less
+                    var left:int = tree.left[node];
+                    if (left == 0 || !isExact && tree.leafUpToDepth[node] >= _depth)
                     {
                         _top = top;
                         return node;
@@ -196,7 +189,6 @@ package starlogo.hierarchy
                     // of the children that are met, the one to visit next, and when it is entered
                     var next:int = -1;
                     var enterNext:Number = Infinity;
-                    var left:int = tree.left[node];
                     for (var child:int = left; child < left + 2; child++)
                     {
                         // A box is met unless the moving box enters it along one axis after it has left it along another one.

@@ -58,15 +58,14 @@ package starlogo.solid
          * Finds when a structure first touches a triangle of a model, and which one.
          *
          * @param tree the model's, with its triangles' corners listed
-         * @param structure in the model's space
-         * @param margin the rounding error of the structure's place
+         * @param structure in the model's space. The margin of the kernel's shape includes the rounding error of its place
          * @param motion of the structure, from that place on; receives the time, and its earliest and latest times are overwritten. If it is still, the
          *     structure touches at time 0 or never
          * @return the triangle's index, or -1
          */
-        public function findFirst(tree:BoxTree, structure:BoundingStructure, margin:Number, motion:RelativeMotion):int
+        public function findFirst(tree:BoxTree, structure:BoundingStructure, motion:RelativeMotion):int
         {
-            beginSweep(tree, structure, margin, motion);
+            beginSweep(tree, structure, motion);
             var leaf:int = _search.nextMet();
             while (leaf >= 0)
             {
@@ -78,13 +77,13 @@ package starlogo.solid
             return _first.a;
         }
 
-        private function beginSweep(tree:BoxTree, structure:BoundingStructure, margin:Number, motion:RelativeMotion):void
+        private function beginSweep(tree:BoxTree, structure:BoundingStructure, motion:RelativeMotion):void
         {
             var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
             _first.reset();
             structure.extentsInto(extents);
-            shape.margin += margin + Touching.marginOfSurface(tree.boundingRadius);
+            shape.margin += Touching.marginOfSurface(tree.boundingRadius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {
@@ -99,20 +98,18 @@ package starlogo.solid
             _search.beginMet(tree, BoxTree.EXACT, motion);
         }
 
+        // Writes the extents of the core on its motion until the latest time.
         private function sweepExtents(motion:RelativeMotion):void
         {
-            sweepAlong(0, motion.latestTime * motion.x);
-            sweepAlong(2, motion.latestTime * motion.y);
-            sweepAlong(4, motion.latestTime * motion.z);
-        }
-
-        // Writes the extents along an axis, which begin at an index, of the core and of its travel along that axis.
-        private function sweepAlong(at:int, travel:Number):void
-        {
-            var back:Number = travel < 0 ? travel : 0;
-            var ahead:Number = travel > 0 ? travel : 0;
-            _extents[at] = _coreExtents[at] + back;
-            _extents[int(at + 1)] = _coreExtents[int(at + 1)] + ahead;
+            var x:Number = motion.latestTime * motion.x;
+            var y:Number = motion.latestTime * motion.y;
+            var z:Number = motion.latestTime * motion.z;
+            _extents[0] = _coreExtents[0] + (x < 0 ? x : 0);
+            _extents[1] = _coreExtents[1] + (x > 0 ? x : 0);
+            _extents[2] = _coreExtents[2] + (y < 0 ? y : 0);
+            _extents[3] = _coreExtents[3] + (y > 0 ? y : 0);
+            _extents[4] = _coreExtents[4] + (z < 0 ? z : 0);
+            _extents[5] = _coreExtents[5] + (z > 0 ? z : 0);
         }
 
         // Offers the triangles of a leaf that are touched. The motion ends at the first touch so far, and a little later.

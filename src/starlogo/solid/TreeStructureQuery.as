@@ -100,7 +100,13 @@ package starlogo.solid
         // Finds which triangle, by its index, or else which node is touched first. Returns -1 if none is.
         private function findFirstTouched(motion:RelativeMotion):int
         {
-            return _depth == BoxTree.EXACT ? _triangleSearch.findFirst(_tree.treeFor(_depth), placed(), pose.margin, motion) : findFirstNode(motion);
+            if (_depth != BoxTree.EXACT)
+            {
+                return findFirstNode(motion);
+            }
+            var structure:BoundingStructure = placed();
+            _kernel.shape.margin += pose.margin;
+            return _triangleSearch.findFirst(_tree.treeFor(_depth), structure, motion);
         }
 
         // Finds which leaf is touched first. Returns -1 if none is. What stands touches at time 0 or never.

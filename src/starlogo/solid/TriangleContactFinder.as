@@ -95,7 +95,7 @@ package starlogo.solid
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             _still.latestTime = 1;
-            return _triangleSearch.findFirst(tree, _kernel.setStructure(_probe, placement), 0, _still) >= 0;
+            return _triangleSearch.findFirst(tree, _kernel.setStructure(_probe, placement), _still) >= 0;
         }
     }
 }

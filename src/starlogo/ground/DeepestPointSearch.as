@@ -69,7 +69,7 @@ package starlogo.ground
         /** Whether the deepest point is under the ground: a quick test, which shows it of most models that are in the ground. */
         public function isPointUnder(model:ModelPiece, grid:HeightGrid, origin:Placement):Boolean
         {
-            if (!find(model, grid, origin, _contact) || _contact.depth < 0)
+            if (!find(model, grid, origin, _contact))
             {
                 return false;
             }

@@ -35,8 +35,6 @@ package starlogo.ground
 
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
 
-        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
-
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _firstImpact:FirstImpact = new FirstImpact();
@@ -58,15 +56,6 @@ package starlogo.ground
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
             _pairs.setTo(grid, tree, structure, placement, depth);
-        }
-
-        /**
-         * Whether a quick test shows that the model touches the ground where it stands: its deepest point is under the ground. This shows it of most models
-         * that do.
-         */
-        public function isDeepestPointUnder():Boolean
-        {
-            return _deepest.isPointUnder(_pairs.piece, _pairs.search.grid, _pairs.search.origin);
         }
 
         /** @inheritDoc */

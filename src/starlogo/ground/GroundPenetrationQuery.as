@@ -75,6 +75,15 @@ package starlogo.ground
             return grid.heightAt(out.x + toEnd * out.normalX, out.y + toEnd * out.normalY) > out.z + toEnd * out.normalZ;
         }
 
+        /**
+         * Whether a quick test shows that the model touches the ground: its deepest point (DeepestPointSearch) is under the ground. This shows it of most
+         * models that do.
+         */
+        public function isDeepestPointUnder():Boolean
+        {
+            return _deepest.isPointUnder(_pairs.piece, _pairs.search.grid, _pairs.search.origin);
+        }
+
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findLift(out:ContactPoint):void
         {

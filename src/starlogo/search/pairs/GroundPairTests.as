@@ -73,7 +73,7 @@ package starlogo.search.pairs
                 return false;
             }
             setBox(a, RelativeMotion.NONE);
-            return _earlyOut.isLowestInGround(gridOf(b), _box) && queryOf(a, b).isDeepestPointUnder();
+            return _earlyOut.isLowestInGround(gridOf(b), _box) && queryOf(a, b).penetration.isDeepestPointUnder();
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */

@@ -4,6 +4,7 @@ package starlogo.blocks
     import starlogo.data.keyOf;
     import starlogo.data.requireGiven;
     import starlogo.debug.CollisionLines;
+    import starlogo.handlers.warnOfMissingBreeds;
 
     /**
      * The block "show bounding structures". It says which agents' structures are shown, and returns lines to draw: the shapes that the
@@ -31,7 +32,7 @@ package starlogo.blocks
         }
 
         /**
-         * The block "show bounding structures".
+         * The block "show bounding structures". A breed need not have agents yet. One that is probably misspelled is warned of.
          *
          * @param subject an agent, or the name of a breed
          * @param isOn whether to show or hide the structures
@@ -45,6 +46,10 @@ package starlogo.blocks
             if (isOn)
             {
                 _shown[key] = true;
+            }
+            if (subject is String)
+            {
+                warnOfMissingBreeds(new <String>[subject as String], _collisions.agents, null);
             }
         }
 

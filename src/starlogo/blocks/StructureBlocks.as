@@ -8,7 +8,8 @@ package starlogo.blocks
 
     /**
      * The block "show bounding structures". It says which agents' structures are shown, and returns lines to draw: the shapes that the
-     * collision system in use tests.
+     * collision system in use tests. They are appended to <code>out</code>: set its length to 0 before each frame. Other calls of the engine overwrite
+     * theirs.
      */
     public class StructureBlocks
     {

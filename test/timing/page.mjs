@@ -75,9 +75,13 @@ export function citation({ created, machine, versions }) {
 /** What a run measured, and how often, in words. */
 export function runText({ created, settings, load }) {
 	const what = settings.refused ? 'what the report had left out, again' : `a ${settings.full ? 'full' : 'quick'} run`;
-	const options = Object.entries(settings.options).map(([name, value]) => `-D${name}=${value}`).join(' ');
-	return `Run of ${created.slice(0, 16).replace('T', ' ')} UTC: ${what}, ${settings.repetitions} repetitions and ${settings.longRepetitions} of what takes long; crowds of ${
-		settings.crowds.join(', ') || 'no'} agents, scattered games of ${settings.games.join(', ') || 'no'}; ${options ? `options: ${options}` : 'without options'}. Load ${load?.start ?? '?'} to ${load?.end ?? '?'}.`;
+	const has = (figure) => (settings.options.figures ?? figure).split(',').includes(figure);
+	const games = [['crowds', settings.crowds], ['scattered games', settings.games]].filter(([name, counts]) => has(name.split(' ')[0]) && counts.length > 0)
+		.map(([name, counts]) => `${name} of ${counts.join(', ')} agents`);
+	const options = Object.entries(settings.options).sort().map(([name, value]) => `-D${name}=${value}`).join(' ');
+	const often = `${settings.repetitions} repetitions${settings.longRepetitions === settings.repetitions ? '' : `, ${settings.longRepetitions} of what takes long`}`;
+	return `Run of ${created.slice(0, 16).replace('T', ' ')} UTC: ${[what, often, ...games, options ? `options ${options}` : 'without options'].join('; ')}. Load ${
+		load?.start ?? '?'} to ${load?.end ?? '?'}.`;
 }
 
 /** How many of a report's entries are not of its last run, in words. */

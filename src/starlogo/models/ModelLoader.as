@@ -239,7 +239,7 @@ package starlogo.models
             {
                 return;
             }
-            _receiver.expectNoMore(load.name, "it was cancelled");
+            _receiver.expectNoMore(load.name);
             load.cancel();
             if (load.whenOver != null)
             {

@@ -12,7 +12,7 @@ package starlogo.models
          * Called when a load ends: the model was received, the load failed, or it was cancelled. The loader's listeners hear of it later. Must not
          * throw.
          *
-         * @param problem what was wrong if the load failed, or that it was cancelled; null if the model was received
+         * @param problem what was wrong, if the load failed; otherwise null
          */
         function expectNoMore(name:String, problem:String = null):void;
 

@@ -133,8 +133,11 @@ package starlogo.blocks
         public function stopsBouncesAndWrapsAtTheEdges():void
         {
             _detection.update();
-            assertNull("there are none", _blocks.edgeTouched(_turtle));
-            _blocks.wrapAtEdge(_turtle);
+            for each (var block:Array in [["edge I touch", _blocks.edgeTouched], ["stop at the edge", _blocks.stopAtEdge], ["bounce off the edge", _blocks.bounceOffEdge],
+                        ["wrap at the edge", _blocks.wrapAtEdge]])
+            {
+                assertThrows(BlockError, new RegExp("\"" + block[0] + "\" needs edges of the world, but this game has none\\."), block[1], _turtle);
+            }
             _collisions.collision.bounds = new WorldBounds(-5, -5, -1, 5, 5, 9);
             assertNull(_blocks.edgeTouched(_turtle));
             var places:Array = [[4.8, 0, 1], [-4.8, 0, 1], [0, 4.8, 1], [0, -4.8, 1], [0, 0, 8.5], [0, 0, -1.2]];

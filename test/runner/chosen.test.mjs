@@ -219,6 +219,17 @@ test('of the tests farther off those of the source\'s room come first that share
 	assert.deepEqual(found(all, all), ['s.a.EdgeTest', broad, 's.a.RoomTest', 's.c.EdgesTest', ...common]);
 });
 
+test('of the tests farther off those come before the room\'s other ones that have the name of a file that uses the source, with at most one between', () => {
+	const text = '[Test]\n public function one\n';
+	const sources = new Map([['s.a.Low', 'package s.a {}'], ['s.a.Middle', 'new Low()'], ['s.b.High', 'import s.a.Middle;'], ['s.b.Higher', 'import s.b.High;']]);
+	const names = ['s.a.RoomTest', 's.b.HigherTest', 's.b.HighTest', 's.a.MiddleTest'];
+	const classes = new Map(names.map((name) => [name, text]));
+	const found = fartherTests({ tests: new Map(), farther: new Set(names), named: ['s.a.Low'] }, classes, sources, new Set(['s.b.HighTest'])).map(([name]) => name);
+	assert.deepEqual(found, ['s.b.HighTest', 's.a.MiddleTest', 's.a.RoomTest', 's.b.HigherTest']);
+	const firstOf = (source) => fartherTests(choose(source, known.classes, known.sources), known.classes, known.sources)[0][0];
+	assert.equal(firstOf('NearSearch.as'), 'starlogo.queries.AgentQueriesTest');
+});
+
 test('of the tests farther off those come before all that have two words of the source\'s name, and of those that name it the ones that do so most', () => {
 	const sources = new Map([['s.a.PlatformCarry', 'package s.a {}']]);
 	const text = (...names) => `[Test]\n public function ${names[0]}\n [Test]\n public function other\n ${names.slice(1).join(' ')}`;

@@ -209,7 +209,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"wrap at the edge" needs an agent/, _blocks.wrapAtEdge, null);
             assertThrows(BlockError, /"touching edge\?" needs an agent/, _blocks.isTouchingEdge, null);
             assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be .*, not NaN\.$/, _blocks.buildWall, _turtle, NaN);
-            assertThrows(BlockError, /"build mound" cannot build here: a mound's place and height must be .*: Infinity\.$/, _blocks.buildMound, _turtle, 1, Infinity);
+            assertThrows(BlockError, /"build mound" cannot build here: a mound's place and height must be .*, not Infinity\.$/, _blocks.buildMound, _turtle, 1, Infinity);
             assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be more than 0, not 0\.$/, _blocks.buildMound, _turtle, 0, 1);
             assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be .*: NaN\.$/, _blocks.buildMound, _turtle, NaN, 1);
             assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be a finite number between.*, not 2000000000\.$/, _blocks.buildWall, _turtle, 2e9);

@@ -51,6 +51,7 @@ const PROBLEMS = {
 	figures: (part) => problemOfName(part, namesOf('FIGURES')),
 	models: (part) => problemOfName(part, namesOf('MODELS')),
 	// with folders of the user's sources there may be more
+	fitters: (part) => !given.has('sources') && `-Dsources= names the folder that has ${part}`,
 	colliders: (part) => !given.has('sources') && problemOfName(part, namesOf('COLLIDERS'), `; there are ${namesOf('COLLIDERS').join(', ')}, and -Dsources= names the folder of your own`),
 	agents: problemOfCount,
 	repetitions: problemOfCount,

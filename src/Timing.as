@@ -78,6 +78,7 @@ package
 
         private function start():void
         {
+            _results.settings = _settings.described;
             _queue = new TaskQueue(new Plan(_settings, _files, _results, stage).tasks);
             addEventListener(Event.ENTER_FRAME, onEnterFrame);
         }

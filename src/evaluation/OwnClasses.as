@@ -27,7 +27,7 @@ package evaluation
         public function collider(name:String, greatLand:GreatLand):CollisionSystem
         {
             var type:Class = typeOf("colliders", name);
-            var made:CollisionSystem = makeWith(type, greatLand) as CollisionSystem;
+            var made:CollisionSystem = (madeWith(type, [greatLand]) || madeWith(type, [])) as CollisionSystem;
             if (made == null)
             {
                 throw new ArgumentError("-Dcolliders: " + name + " is not a CollisionSystem");
@@ -43,10 +43,10 @@ package evaluation
         public function fitter(name:String):Fitter
         {
             var type:Class = typeOf("fitters", name);
-            var made:Fitter = new type() as Fitter;
+            var made:Fitter = madeWith(type, []) as Fitter;
             if (made == null)
             {
-                throw new ArgumentError("-Dfitters: " + name + " is not a Fitter");
+                throw new ArgumentError("-Dfitters: " + name + " is not a Fitter whose constructor takes nothing");
             }
             return made;
         }
@@ -69,11 +69,12 @@ package evaluation
             return type;
         }
 
-        private static function makeWith(type:Class, greatLand:GreatLand):Object
+        // An object of a class; null if its constructor takes other arguments.
+        private static function madeWith(type:Class, all:Array):Object
         {
             try
             {
-                return new type(greatLand);
+                return all.length == 0 ? new type() : new type(all[0]);
             }
             catch (error:ArgumentError)
             {
@@ -82,7 +83,7 @@ package evaluation
                     throw error;
                 }
             }
-            return new type();
+            return null;
         }
     }
 }

@@ -53,13 +53,13 @@ package evaluation
         {
             for each (var name:String in _settings.models)
             {
-                tasks.push(new VolumesTask("volumes", _models[name], _settings, _results));
+                add(new VolumesTask("volumes", _models[name], _settings, _results), "volumes", name);
             }
             for each (name in _settings.models)
             {
                 if (_novaModels.hasOwnProperty(name))
                 {
-                    tasks.push(new VolumesTask("nova", _novaModels[name], _settings, _results));
+                    add(new VolumesTask("nova", _novaModels[name], _settings, _results), "nova", name);
                 }
             }
         }
@@ -68,7 +68,7 @@ package evaluation
         {
             for each (var name:String in _settings.models)
             {
-                tasks.push(new FitTask(_models[name], _settings, _results));
+                add(new FitTask(_models[name], _settings, _results), "fits", name);
             }
         }
 
@@ -78,7 +78,7 @@ package evaluation
             {
                 if (_greatLand.hasModel(name))
                 {
-                    tasks.push(new AccessTask(name, _greatLand, _settings, _results));
+                    add(new AccessTask(name, _greatLand, _settings, _results), "access", name);
                 }
             }
         }
@@ -87,20 +87,20 @@ package evaluation
         {
             for each (var name:String in TestTask.TESTS)
             {
-                tasks.push(new TestTask(name, _settings, _results));
+                add(new TestTask(name, _settings, _results), "tests", name);
             }
         }
 
         private function planPrecision():void
         {
-            tasks.push(new PrecisionTask(_models, _settings, _results));
+            add(new PrecisionTask(_models, _settings, _results), "precision", "all");
         }
 
         private function planHierarchies():void
         {
             for each (var name:String in _settings.models)
             {
-                tasks.push(new HierarchyTask(_models[name], _settings, _results));
+                add(new HierarchyTask(_models[name], _settings, _results), "hierarchies", name);
             }
         }
 
@@ -124,7 +124,7 @@ package evaluation
         // §6.4: between the TightestFitCollider and the HierarchicalCollider
         private function planCombination():void
         {
-            for each (var cast:String in _settings.isFull ? Scenes.CASTS : ["bears"])
+            for each (var cast:String in _settings.casts === Scenes.CASTS ? Scenes.CASTS : ["bears"])
             {
                 for each (var hierarchical:int in [0, 1, 10, HIERARCHICAL_CROWD])
                 {
@@ -140,7 +140,7 @@ package evaluation
             var models:Array = [_models.cube, _models.bear, _models.cylinder, _models.seagull, _models.kelp, _models.person];
             for each (var question:String in ExperimentTask.QUESTIONS)
             {
-                tasks.push(new ExperimentTask(question, models, _settings, _results));
+                add(new ExperimentTask(question, models, _settings, _results), "experiments", question);
             }
         }
 
@@ -170,13 +170,23 @@ package evaluation
         {
             var scene:Scene = Scenes.scattered(MONITORED_GAME, "mix");
             makeSomeHierarchical(scene, MONITORED_GAME / 10);
-            tasks.push(new MonitorTask(_stage, scene.agents, Colliders.make("CombinationCollider", _greatLand, _settings.own), _settings, _results));
+            add(new MonitorTask(_stage, scene.agents, Colliders.make("CombinationCollider", _greatLand, _settings.own), _settings, _results), "monitor",
+                    _settings.isWanted("monitor", "recorder") ? "recorder" : MONITORED_GAME + " agents");
         }
 
         private function addGame(figure:String, subject:String, variant:String, collider:String, scene:Scene, thesis:*):void
         {
-            tasks.push(new GameTask(figure, subject, variant, scene, Colliders.make(collider, _greatLand, _settings.own),
-                        figure == "scattered" ? null : _literal.pairTest(collider), thesis, _settings, _results));
+            add(new GameTask(figure, subject, variant, scene, Colliders.make(collider, _greatLand, _settings.own),
+                        figure == "scattered" ? null : _literal.pairTest(collider), thesis, _settings, _results), figure, subject, variant);
+        }
+
+        // Adds a task, if what it measures is wanted.
+        private function add(task:Task, figure:String, subject:String, variant:String = null):void
+        {
+            if (_settings.isWanted(figure, subject, variant))
+            {
+                tasks.push(task);
+            }
         }
 
         private static function makeSomeHierarchical(scene:Scene, count:int):void

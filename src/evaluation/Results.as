@@ -7,6 +7,9 @@ package evaluation
     {
         private static const NS_PER_MS:Number = 1e6;
 
+        /** What the report says of the run's settings. */
+        public var settings:Object = {};
+
         private var _entries:Array = [];
         private var _byName:Object = {};
 
@@ -94,7 +97,7 @@ package evaluation
          */
         public function toText(isComplete:Boolean = true):String
         {
-            return JSON.stringify({player: Host.player, isComplete: isComplete, entries: _entries}, null, 1);
+            return JSON.stringify({player: Host.player, settings: settings, isComplete: isComplete, entries: _entries}, null, 1);
         }
 
         private static function hasDiffered(entry:Object, index:int, all:Array):Boolean

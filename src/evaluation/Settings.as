@@ -54,6 +54,13 @@ package evaluation
         /** Whether everything is run. */
         public var isFull:Boolean;
 
+        private static const OPTIONS:Array = ["figures", "colliders", "fitters", "models", "agents", "repetitions"];
+
+        private var _options:Object = {};
+
+        // The entries that are measured again, and for each of them its row; null for all that the figures have.
+        private var _wanted:Object = null;
+
         /**
          * @param parameters the parameters of the SWF
          * @param find finds a class by its name, or null
@@ -62,6 +69,13 @@ package evaluation
         public function Settings(parameters:Object, find:Function = null)
         {
             own = new OwnClasses(find);
+            for each (var option:String in OPTIONS)
+            {
+                if (parameters[option])
+                {
+                    _options[option] = parameters[option];
+                }
+            }
             isFull = parameters["full"] == "true";
             hasNova = parameters["nova"] == "true";
             figures = chosen("figures", parameters["figures"], FIGURES);
@@ -81,6 +95,63 @@ package evaluation
             casts = isFull ? Scenes.CASTS : ["mix"];
             repetitions = numbers("repetitions", parameters["repetitions"], [isFull ? 11 : 5])[0];
             longRepetitions = numbers("repetitions", parameters["repetitions"], [isFull ? 5 : 3])[0];
+            if (parameters["entries"])
+            {
+                want(parameters["entries"].split(";"));
+            }
+        }
+
+        /**
+         * Whether a part of a figure is run.
+         *
+         * @param figure the figure
+         * @param subject the row
+         * @param variant the column of a game; null for a row with all of its columns
+         */
+        public function isWanted(figure:String, subject:String, variant:String = null):Boolean
+        {
+            return _wanted == null || keyOf(figure, subject, variant) in _wanted;
+        }
+
+        /** What the report says of the run: its numbers, and the options that were given. */
+        public function get described():Object
+        {
+            return {full: isFull, repetitions: repetitions, longRepetitions: longRepetitions, crowds: crowds, games: games, refused: _wanted != null,
+                    options: _options};
+        }
+
+        // Takes the entries that a report lacks: "figure / subject / variant", each encoded as a part of an address. The games are those of the entries.
+        private function want(entries:Array):void
+        {
+            _wanted = {};
+            crowds = [];
+            games = [];
+            casts = Scenes.CASTS;
+            if (_options["colliders"])
+            {
+                colliders = COLLIDERS.concat(colliders.filter(isOwn));
+            }
+            for each (var text:String in entries)
+            {
+                var parts:Array = decodeURIComponent(text).split(" / ");
+                _wanted[keyOf(parts[0], parts[1])] = true;
+                _wanted[keyOf(parts[0], parts[1], parts[2].replace(/, literal$/, ""))] = true;
+                var counts:Array = parts[0] == "crowds" ? crowds : parts[0] == "scattered" ? games : [];
+                if (counts.indexOf(parseInt(parts[1])) < 0)
+                {
+                    counts.push(parseInt(parts[1]));
+                }
+            }
+        }
+
+        private static function isOwn(name:String, index:int, all:Array):Boolean
+        {
+            return COLLIDERS.indexOf(name) < 0;
+        }
+
+        private static function keyOf(...parts):String
+        {
+            return parts[2] == null ? parts[0] + " / " + parts[1] : parts.join(" / ");
         }
 
         private static function named(list:String, preset:Array):Array

@@ -269,6 +269,8 @@ test('a value that can be none of its option\'s is refused before anything is ma
 	assert.equal(said('-Dagents=10,1.5'), '-Dagents: numbers of at least 1 are needed, not "1.5"\n');
 	assert.equal(said('-Dcolliders=BinColider'), '-Dcolliders: there is no "BinColider"; there is BinCollider\n');
 	assert.equal(said('-Dcolliders=my.Own'), '-Dcolliders: there is no "my.Own"; there are BinCollider, TightestFitCollider, HierarchicalCollider, CombinationCollider, and -Dsources= names the folder of your own\n');
+	assert.equal(said('-Dfitters=my.Own'), '-Dfitters: -Dsources= names the folder that has my.Own\n');
+	assert.equal(said('-Dfitters=my.Own', '-Dsources=src'), '');
 	assert.equal(said('-Dmodels=bear,cub'), '-Dmodels: there is no "cub"; there is cube\n');
 	assert.match(said('-Dfigures=xyzzy'), /^-Dfigures: there is no "xyzzy"; there are volumes, fits, .*, monitor\n$/);
 	assert.equal(said('-Dsources=src/client,test,src,src'), '-Dsources: src/client is in src. Name only the folder in which the packages of its classes begin\n');

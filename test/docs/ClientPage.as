@@ -13,6 +13,8 @@ package docs
         protected var bearText:String = Fixtures.text("/assets/bear.obj");
         protected var levelText:String = stairs();
 
+        protected var graphics:Pencil = new Pencil();
+
         private var _painted:int = 0;
 
         protected function paint(collider:Agent, collidee:Agent):void
@@ -29,6 +31,8 @@ package docs
         {
             assertEquals("by the ten lines, and by the block", 2, _painted);
             assertTrue(shown["bear"].hierarchical);
+            assertTrue(graphics.lines > 100);
+            assertEquals(shown["lines"].length / 6, graphics.lines);
             for (var i:int = 0; i < 60; i++)
             {
                 shown["queries"].walk(shown["hero"], 0.1, 0, shown["options"], shown["footing"]);
@@ -50,5 +54,28 @@ package docs
             }
             return text;
         }
+    }
+}
+
+/** Stands in for a shape's graphics, and counts lines. */
+class Pencil
+{
+    public var lines:int = 0;
+
+    public function clear():void
+    {
+    }
+
+    public function lineStyle(thickness:Number, color:uint):void
+    {
+    }
+
+    public function moveTo(x:Number, y:Number):void
+    {
+    }
+
+    public function lineTo(x:Number, y:Number):void
+    {
+        lines++;
     }
 }

@@ -49,7 +49,7 @@ package evaluation
         [Test]
         public function ownClassesAreMade():void
         {
-            var types:Object = {"game.Reds": NaiveSphereFitter, "game.Discs": EveryPairSystem, "game.Bins": BinCollider};
+            var types:Object = {"game.Reds": NaiveSphereFitter, "game.Discs": EveryPairSystem, "game.Bins": BinCollider, "game.Boxes": Named};
             var find:Function = function(name:String):Object
             {
                 return types[name];
@@ -62,7 +62,39 @@ package evaluation
             assertThrows(ArgumentError, /-Dcolliders: there is no class "game.Blues"; -Dsources=/, create, Settings, {colliders: "game.Blues"}, find);
             assertThrows(ArgumentError, /-Dcolliders: game.Reds is not a CollisionSystem/, create, Settings, {colliders: "game.Reds"}, find);
             assertThrows(ArgumentError, /-Dfitters: game.Discs is not a Fitter/, create, Settings, {fitters: "game.Discs"}, find);
+            assertThrows(ArgumentError, /-Dfitters: game.Bins is not a Fitter/, create, Settings, {fitters: "game.Bins"}, find);
+            assertThrows(ArgumentError, /-Dfitters: game.Boxes is not a Fitter/, create, Settings, {fitters: "game.Boxes"}, find);
+            assertThrows(ArgumentError, /-Dcolliders: game.Boxes is not a CollisionSystem/, create, Settings, {colliders: "game.Boxes"}, find);
             assertThrows(ArgumentError, /-Dcolliders: there is no class "BinColider"/, create, Settings, {colliders: "BinColider"});
+        }
+
+        [Test]
+        public function whatWasLeftOutIsMeasuredAlone():void
+        {
+            var entries:Array = ["tests / boxBox / engine", "crowds / 20 bears / BinCollider, literal", "scattered / 100 mix, as dense / BinCollider", "experiments / §7.4 factor 3 / with"];
+            var settings:Settings = new Settings({entries: entries.map(encoded).join(";")});
+            assertEquals("20", settings.crowds.join());
+            assertEquals("100", settings.games.join());
+            assertTrue(settings.isWanted("tests", "boxBox"));
+            assertFalse(settings.isWanted("tests", "boxHull"));
+            assertTrue(settings.isWanted("crowds", "20 bears", "BinCollider"));
+            assertFalse(settings.isWanted("crowds", "20 bears", "TightestFitCollider"));
+            assertFalse(settings.isWanted("scattered", "100 mix", "BinCollider"));
+            assertTrue(settings.isWanted("experiments", "§7.4 factor 3"));
+            assertTrue("all without entries", new Settings({}).isWanted("crowds", "10 bears", "BinCollider"));
+        }
+
+        [Test]
+        public function aReportHasThem():void
+        {
+            var described:Object = new Settings({figures: "tests", agents: "", repetitions: "7"}).described;
+            assertEquals("false 7 7 10,100 false", [described.full, described.repetitions, described.longRepetitions, described.crowds, described.refused].join(" "));
+            assertEquals("{\"figures\":\"tests\",\"repetitions\":\"7\"}", JSON.stringify(described.options).replace(/(.*)("rep.*"),("fig.*")\}/, "{$3,$2}"));
+        }
+
+        private static function encoded(text:String, index:int, all:Array):String
+        {
+            return encodeURIComponent(text);
         }
 
         [Test]
@@ -72,5 +104,15 @@ package evaluation
             assertThrows(ArgumentError, /-Dagents.*"many"/, create, Settings, {agents: "10,many"});
             assertThrows(ArgumentError, /-Drepetitions.*"0"/, create, Settings, {repetitions: "0"});
         }
+    }
+}
+
+class Named
+{
+    public var name:String;
+
+    public function Named(name:String)
+    {
+        this.name = name;
     }
 }

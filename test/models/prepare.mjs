@@ -57,7 +57,6 @@ for (const [name, load] of Object.entries(models)) {
   const { vertices, triangles } = load()
   const faces = triangles.map(corners => 'f ' + corners.map(corner => corner + 1).join(' '))
   writeFileSync(join(folder, name + '.obj'), vertices.map(v => 'v ' + v).concat(faces).join('\n') + '\n')
-  console.log(`${name}.obj: ${vertices.length} vertices, ${triangles.length} triangles`)
 }
 const archive = join(assimp, 'Collada/human.zae')
 if (existsSync(archive)) {

@@ -1,9 +1,12 @@
 /** The playground's modules without a page, and the engine's models for their worlds. */
-import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { root } from './browser.mjs';
+
+const manifest = path.join(root, 'bin/module/package.json');
+if (!existsSync(manifest)) throw new Error('bin/module is not built: ./antw module builds it');
 
 const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
 const MODULES = ['play/game/world.js', 'play/game/moves.js', 'play/builtin/examples.js', 'play/builtin/games.js', 'play/game/program.js', 'play/blocks/blocks.js', 'play/programs/shelf.js', 'play/programs/programtext.js', 'play/programs/finder.js', 'play/builtin/builtin.js', 'play/builtin/lessons.js', 'play/export/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/drawing/colours.js', 'shared/files/generatedmodels.js'];
@@ -19,7 +22,7 @@ function write(name, text) {
 }
 
 mkdirSync(folder, { recursive: true });
-const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
+const { exports } = JSON.parse(readFileSync(manifest, 'utf8'));
 const from = (file) => JSON.stringify(path.join(root, 'js/playground', file));
 // words come before what is made of them
 const english = write('english.mjs', `import { texts } from ${from('languages/en.js')};\nimport { texts as further } from ${from('languages/game/en.js')};\nimport { addWords } from ${from('shared/language.js')};\naddWords(texts);\naddWords(further);\n`);

@@ -206,13 +206,28 @@ test('of the tests farther off those that name the source are first, then the ro
 	for (const name of BROAD) assert.ok(tests.includes(name), name);
 });
 
-test('of the tests farther off those come first that share a rare word of the source\'s name', () => {
+test('of the tests farther off those of the source\'s room come first that share a rare word of its name; those of other rooms come after the room\'s own', () => {
 	const sources = new Map([['s.a.EdgePairTests', 'package s.a {}']]);
-	const of = (name) => [name, '[Test]\n public function one\n import s.a.EdgePairTests;'];
 	const common = ['One', 'Two', 'Three', 'Four', 'Five', 'Six', 'Seven', 'Eight', 'Nine'].map((which) => `s.c.${which}PairTest`);
-	const classes = new Map([...common, 's.a.RoomTest', 's.c.EdgesTest'].map(of));
-	const found = fartherTests({ tests: new Map(), farther: new Set(), named: ['s.a.EdgePairTests'] }, classes, sources, new Set(['s.c.EdgesTest']));
-	assert.deepEqual(found.slice(0, 2).map(([name]) => name), ['s.c.EdgesTest', 's.c.OnePairTest']);
+	const found = (names, long) => {
+		const classes = new Map(names.map((name) => [name, '[Test]\n public function one\n']));
+		return fartherTests({ tests: new Map(), farther: new Set(names), named: ['s.a.EdgePairTests'] }, classes, sources, new Set(long)).map(([name]) => name);
+	};
+	const broad = `s.c.${BROAD[2]}`;
+	const all = [...common, broad, 's.c.EdgesTest', 's.a.RoomTest', 's.a.EdgeTest'];
+	assert.deepEqual(found(all, []), ['s.a.EdgeTest', 's.a.RoomTest', 's.c.EdgesTest', broad, ...common]);
+	assert.deepEqual(found(all, all), ['s.a.EdgeTest', broad, 's.a.RoomTest', 's.c.EdgesTest', ...common]);
+});
+
+test('of the tests farther off those come before the room\'s other ones that have the name of a file that uses the source, with at most one between', () => {
+	const text = '[Test]\n public function one\n';
+	const sources = new Map([['s.a.Low', 'package s.a {}'], ['s.a.Middle', 'new Low()'], ['s.b.High', 'import s.a.Middle;'], ['s.b.Higher', 'import s.b.High;']]);
+	const names = ['s.a.RoomTest', 's.b.HigherTest', 's.b.HighTest', 's.a.MiddleTest'];
+	const classes = new Map(names.map((name) => [name, text]));
+	const found = fartherTests({ tests: new Map(), farther: new Set(names), named: ['s.a.Low'] }, classes, sources, new Set(['s.b.HighTest'])).map(([name]) => name);
+	assert.deepEqual(found, ['s.b.HighTest', 's.a.MiddleTest', 's.a.RoomTest', 's.b.HigherTest']);
+	const firstOf = (source) => fartherTests(choose(source, known.classes, known.sources), known.classes, known.sources)[0][0];
+	assert.equal(firstOf('NearSearch.as'), 'starlogo.queries.AgentQueriesTest');
 });
 
 test('of the tests farther off those come before all that have two words of the source\'s name, and of those that name it the ones that do so most', () => {

@@ -42,7 +42,29 @@ if (classes.length === 0) {
 		: `no class and no test matches -Dtest=${name}; there are ${(near.length > 0 ? near : all).join(', ')}`);
 }
 
+const misplaced = classes.find((each) => (packageOf(texts.get(each)) ?? folderOf(each)) !== folderOf(each));
+if (misplaced) refuse(`-Dsources: ${problemOfPlace(files.get(misplaced), packageOf(texts.get(misplaced)))}`);
+
 const functions = new Map(classes.map((each) => [each, functionsOf(each)]));
+
+/** The package that a file says it is in; undefined if it says none. */
+function packageOf(text) {
+	return /^[^*/\n]*\bpackage\b[ \t]*([\w.]*)/m.exec(text)?.[1];
+}
+
+/** The package of a class by its file's folders. */
+function folderOf(name) {
+	return name.replace(/\.?\w+$/, '');
+}
+
+/** What is wrong with a file of a package that is not its folder's. */
+function problemOfPlace(file, itsPackage) {
+	const folder = path.resolve(path.dirname(file));
+	const end = itsPackage === '' ? '' : path.sep + itsPackage.replaceAll('.', path.sep);
+	const found = `${file} is of the package "${itsPackage}"`;
+	return folder.endsWith(end) ? `${found}. Name the folder in which packages begin: ${folder.slice(0, folder.length - end.length)}`
+		: `${found}, so it belongs into a folder ${itsPackage.replaceAll('.', '/')}`;
+}
 
 /** The class among the sources that a class extends, by its qualified name. */
 function baseOf(name, text) {

@@ -26,6 +26,18 @@ test('all test classes of all folders are run', () => {
 	assert.match(written(), /import game\.world\.TurtleTest;/);
 });
 
+test('a folder in which no packages begin is refused, with the one in which they do', () => {
+	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), 'package game.world\n{\n    public class TurtleTest\n    {\n        [Test]\n        public function swims():void {}\n    }\n}\n');
+	assert.equal(run('src,tests').status, 0);
+	for (const [named, file] of [['tests/game', 'tests/game/world/TurtleTest.as'], ['.', 'tests/game/world/TurtleTest.as']]) {
+		const { status, stderr } = run(named);
+		assert.equal(status, 64);
+		assert.equal(stderr, `-Dsources: ${file} is of the package "game.world". Name the folder in which packages begin: ${path.resolve(folder, 'tests')}\n`);
+	}
+	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), 'package other\n{\n    [Test]\n');
+	assert.match(run('src,tests').stderr, /^-Dsources: tests\/game\/world\/TurtleTest\.as is of the package "other", so it belongs into a folder other\n$/);
+});
+
 test('a test that fails is told with its file and line', () => {
 	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), 'package game.world\n{\n    public class TurtleTest\n    {\n        [Test]\n        public function swims():void\n');
 	run('src,tests');

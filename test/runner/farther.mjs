@@ -2,7 +2,7 @@
 import { SAMPLES_IN_JAVASCRIPT, fencesIn } from '../docs/samples.mjs';
 import { filesBelow, read, usesIn } from '../structure/sources.mjs';
 import { inNodeAlone, simpleName, testsIn } from './test-classes.mjs';
-import { users } from './users.mjs';
+import { testsNamedAs, users } from './users.mjs';
 
 /** Tests that compare a hash of all that a game sees. They find most. */
 const OF_GAMES = ['SoakTest.whatAGameSeesFirstIsTheSameEverywhere', 'SoakTest.whatAGameSeesIsTheSameEverywhere'];
@@ -58,10 +58,12 @@ function namesakes(sources, names) {
 
 /**
  * The tests that use the sources that a pattern names and were not chosen to run first, in the order in which they find a fault soonest:
- * those whose names have two words of a source's name, or a rare one; those that name the source, the more often the sooner; the tests
- * without a player that check it; those of the sources' own room; then BROAD, whose games and questions run most of the engine; then those of
- * the room that take long; then those of other rooms that count as farther, and all other classes that use the source, by any number of files
- * between. Of these last too those that take long come after the others. Of two of a kind the nearer is first.
+ * those whose names have two words of a source's name; those with the name of a file that uses the source, or that uses such a file, and
+ * those of the sources' own room that have a rare word; those that name the source, the more often the sooner; the tests without a player
+ * that check it; those of the room; those of other rooms that have a rare word; then BROAD, whose games and questions run most of the
+ * engine; then those of the room, and with a rare word, that take long; then those of other rooms that count as farther, and all other
+ * classes that use the source, by any number of files between. Of these last too those that take long come after the others. Of two of a
+ * kind the nearer is first.
  *
  * @param {{ tests: Map<string, string[] | null>, farther: Set<string>, named: string[] }} choice what choose() found
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
@@ -70,22 +72,25 @@ function namesakes(sources, names) {
  * @returns {[string, string | undefined][]} the class and the name of each, or a file of tests without a player
  */
 export function fartherTests({ tests, farther, named }, classes, sources, long = inNodeAlone()) {
-	const usersOfAll = named.flatMap((source) => [...users(source, classes, sources)].flat());
-	const beyond = usersOfAll.filter((name) => classes.has(name) && !tests.has(name));
+	const usersOf = named.map((source) => [...users(source, classes, sources)]);
+	const beyond = usersOf.flat(2).filter((name) => classes.has(name) && !tests.has(name));
 	const names = new Set([...farther, ...beyond]);
 	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
 	const rooms = new Set(named.map(roomOf));
+	const ofUsers = new Set(testsNamedAs(usersOf.flatMap((files) => files.slice(0, 2)).flat(), classes));
 	const isNamesake = namesakes(named, [...classes.keys()]);
 	const ofNames = naming(named, classes);
 	const place = (each) => {
 		const [name, test] = each;
 		if (test === undefined) return -1;
 		if (named.some((source) => haveTwoWords(each, source))) return -4;
-		if (isNamesake.has(name)) return -3;
+		const isOfRoom = rooms.has(roomOf(name));
+		if (ofUsers.has(name) || (isOfRoom && isNamesake.has(name))) return -3;
 		if (ofNames.includes(name) && !isLong(each)) return -2 + ofNames.indexOf(name) / ofNames.length;
 		const broad = BROAD.findIndex((wanted) => [simpleName(name), `${simpleName(name)}.${test}`].includes(wanted));
 		if (broad >= 0) return 1 + broad / BROAD.length;
-		if (rooms.has(roomOf(name))) return isLong(each) ? 2 : 0;
+		if (isOfRoom) return isLong(each) ? 2 : 0;
+		if (isNamesake.has(name)) return isLong(each) ? 2.5 : 0.5;
 		return (farther.has(name) ? 3 : 4) + (isLong(each) ? 2 : 0);
 	};
 	const found = [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test]));

@@ -29,7 +29,12 @@ export function nearestTests(source, classes, sources) {
 /** The test classes with the names of the files of its own package that use a source. */
 export function testsOfNeighbours(source, classes, sources) {
 	const [files] = users(source, classes, sources);
-	const own = new Set(files.filter((name) => packageOf(name) === packageOf(source)).map(testName));
+	return testsNamedAs(files.filter((name) => packageOf(name) === packageOf(source)), classes);
+}
+
+/** The test classes with the names of some files. */
+export function testsNamedAs(files, classes) {
+	const own = new Set(files.map(testName));
 	return [...classes.keys()].filter((name) => own.has(simpleName(name).toLowerCase()));
 }
 
@@ -49,8 +54,7 @@ export function testsOfUsers(source, known, classes, sources) {
 	const found = new Set(known);
 	for (const files of users(source, classes, sources)) {
 		if (countOf([...found], classes) >= ENOUGH) break;
-		const own = new Set(files.filter((name) => !classes.has(name)).map(testName));
-		for (const name of [...classes.keys()].filter((each) => own.has(simpleName(each).toLowerCase()))) found.add(name);
+		for (const name of testsNamedAs(files, classes)) found.add(name);
 	}
 	return [...found].filter((name) => !known.has(name));
 }

@@ -137,6 +137,14 @@ package starlogo
                 });
         }
 
+        [Test]
+        public function anErrorAboutAnAgentSaysThatItsLoadWasCancelled():void
+        {
+            _loader.loadText("bear", OBJ);
+            _loader.cancel("bear");
+            assertSays(new Agent("bear", "bears"), new Agent("bear"), /there is no model "bear", because its load failed: it was cancelled/);
+        }
+
         [Test(async, timeout="330000")]
         public function anErrorAboutAnAgentSaysWhyItsModelDidNotLoad():void
         {

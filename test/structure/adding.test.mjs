@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
-import { assertNone, codeOf, definitionIn, read, root, sourcesBelow } from './sources.mjs';
+import { assertNone, codeOf, definitionIn, differences, filesBelow, read, root, sourcesBelow } from './sources.mjs';
 
 const simpleName = (file) => definitionIn(file).split('.').pop();
 
@@ -102,18 +102,32 @@ test('every question stands in the files of docs/adding.md, "A question"', () =>
 	assertNoneMissing(left);
 });
 
-test('every model of a file passes what a ModelBuilder builds to Model', () => {
-	const models = sourcesBelow('src/starlogo').filter((file) => /\bclass \w+ extends Model\b/.test(codeOf(read(file))));
-	const built = models.filter((file) => read(file).includes('.build()'));
-	assert.deepEqual(built.map(simpleName).sort(), ['Away3dModel', 'ColladaModel', 'CookedModel', 'GltfModel', 'ObjModel', 'StlModel']);
-	for (const file of built) assert.match(read(file), /\bsuper\(name, null, null, null, .*\.build\(\)\);/, file);
-});
-
-test('every format stands in the files of docs/adding.md, "A format"', () => {
-	// what fills a ModelData: a reader, or a scene whose meshes are added to it
+/** The readers of the formats: what fills a ModelData, or a scene whose meshes are added to it. */
+function readersOf() {
 	const isReader = /\bnew ModelBuilder\(data, new \w+\(|\bclass \w+ extends Scene\b/;
 	const readers = sourcesBelow('src/starlogo/models').filter((file) => isReader.test(codeOf(read(file)))).map(simpleName);
 	for (const known of ['ColladaScene', 'CookedReader', 'GltfScene', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
+	return readers;
+}
+
+test('every format has a model that passes what its reader builds to Model', () => {
+	const models = sourcesBelow('src/starlogo').filter((file) => /\bclass \w+ extends Model\b/.test(codeOf(read(file))));
+	const built = models.filter((file) => read(file).includes('.build()'));
+	const wanted = readersOf().map((reader) => reader.replace(/(Reader|Scene)$/, 'Model'));
+	assertNone(differences('the list of models that call build()', built.map(simpleName), [...wanted, 'Away3dModel']));
+	assertNone(built.filter((file) => !/\bsuper\(name, null, null, null, .*\.build\(\)\);/.test(read(file))).map((file) => `${file} passes more to Model, or less`));
+});
+
+test('every format that test/growth/FileRows.as reads has a hostile file, but cooked ones', () => {
+	const formats = [...read('test/growth/FileRows.as').matchAll(/\bcase "([\w-]+)":/g)].map(([, format]) => format);
+	assert.ok(formats.includes('STL') && formats.includes('glTF'));
+	const made = filesBelow('test/soak', '.as').filter((file) => /\/Hostile\w+\.as$/.test(file) && !file.endsWith('Test.as')).map(read).join('\n');
+	// CookedLoadingTest damages cooked files
+	assertNone(formats.filter((format) => format !== 'cooked' && !new RegExp(`"${format}(?:: |")`).test(made)).map((format) => `test/soak/HostileFiles.as makes no file of ${format}`));
+});
+
+test('every format stands in the files of docs/adding.md, "A format"', () => {
+	const readers = readersOf();
 	// CookedLoadingTest damages cooked files
 	const known = ['test/starlogo/models/ModelMutationsTest.as: CookedReader', 'test/fuzz/kinds/files.mjs: CookedReader'];
 	const isThere = (each) => {
@@ -123,9 +137,36 @@ test('every format stands in the files of docs/adding.md, "A format"', () => {
 	assertNoneMissing(missing(readers, filesOf('docs/adding.md', 'A format'), known).filter((each) => !isThere(each)));
 });
 
+test('every block of the playground stands in the files of docs/adding.md, "A block"', () => {
+	const source = read('js/playground/play/blocks/blocks.js');
+	const blocks = [...source.matchAll(/^\tdefine\("(\w+)"/gm)].map(([, type]) => type);
+	assert.ok(blocks.length > 90 && blocks.includes('starlogo_walk') && blocks.includes('controls_if'));
+	// the test's own functions write these two
+	const known = ['test/playground/world.test.mjs: starlogo_forward', 'test/playground/world.test.mjs: starlogo_create'];
+	const program = read('js/playground/play/game/program.js');
+	const hasMeaning = (each) => each.startsWith('js/playground/play/game/actions.js: ') && new RegExp(`\\b${each.split(': ')[1]}\\b`).test(program);
+	assertNoneMissing(missing(blocks, filesOf('docs/adding.md', 'A block'), known).filter((each) => !hasMeaning(each)));
+	// Blockly adds these two to the drawer of variables
+	const isInDrawer = (type) => source.split(`"${type}"`).length > 2 || ['variables_get', 'math_change'].includes(type);
+	assertNone(blocks.filter((type) => !isInDrawer(type)).map((type) => `no drawer of TOOLBOX has ${type}`));
+});
+
+test('every block of the engine is called by its class\'s own test and in random games', () => {
+	// what is read, drawn or forgotten beside the blocks, and scripts of touches, which the same table has
+	const known = ['moved', 'lines', 'linesOf', 'showNone', 'forgetScripts', 'forgetBreeds', 'whenTouchingStarts', 'whenTouchingEnds'].map((name) => `test/module/blocks.test.mjs: ${name}`);
+	const classes = sourcesBelow('src/starlogo/blocks').filter((file) => file.endsWith('Blocks.as'));
+	assert.ok(classes.length > 6);
+	const left = classes.flatMap((file) => {
+		const methods = [...codeOf(read(file)).matchAll(/^ {8}public function (\w+)\(/gm)].map(([, name]) => name).filter((name) => name !== simpleName(file));
+		assert.ok(methods.length > 1, file);
+		return missing(methods, [file.replace('src/', 'test/').replace('.as', 'Test.as'), 'test/module/blocks.test.mjs'], known);
+	});
+	assertNoneMissing(left);
+});
+
 test('every build file but those of the fetched libraries stands in the table of docs/adding.md', () => {
 	const files = readdirSync(path.join(root, 'build')).filter((file) => file.endsWith('.xml') && file !== 'ivy.xml').map((file) => `build/${file}`);
-	assert.deepEqual(filesOf('docs/adding.md', 'Which file of the build does what').sort(), ['build.xml', ...files].sort());
+	assertNone(differences('docs/adding.md', filesOf('docs/adding.md', 'Which file of the build does what'), ['build.xml', ...files]));
 });
 
 test('members of the namespace engine are @private in documented classes, as ./antw asdoc demands', () => {

@@ -1,4 +1,4 @@
-import { COLLIDERS, FRAME_MS, THESIS_SPHERE_TEST, THESIS_STRUCTURES, bySubject, castOf, collidersOf, growth } from './figures.mjs';
+import { COLLIDERS, FRAME_MS, THESIS_SPHERE_TEST, THESIS_STRUCTURES, bySubject, castOf, collidersOf, growth, isSure } from './figures.mjs';
 
 /**
  * What the page draws, by figure: {kind, height, labels or series, unit}. Colours are names that the page's style knows:
@@ -28,10 +28,11 @@ function bars(labels, unit, series, options = {}) {
 
 const scaled = (value, factor = 1) => (value === null || value === undefined ? null : value * factor);
 
-/** The bars of entries, some of which may be missing: their values, and which have none because they were refused. */
-const barsOf = (entries, factor, field = 'value') => ({
-	values: entries.map((entry) => scaled(entry?.[field], factor)), refused: entries.map((entry) => entry?.[field] === null),
-});
+/** The bars of entries, some of which may be missing: their values, and which have none because they, or their multiples, were refused. */
+const barsOf = (entries, factor, field = 'value') => {
+	const numbers = entries.map((entry) => (field === 'value' && entry && !isSure(entry) ? null : entry?.[field]));
+	return { values: numbers.map((number) => scaled(number, factor)), refused: numbers.map((number) => number === null) };
+};
 
 function compared(entries, unit, factor = 1) {
 	const subjects = bySubject(entries);
@@ -109,9 +110,9 @@ function scattered(entries) {
 		name: collider.replace('Collider', '') + (i === 0 ? '' : ', as dense') + (exponents[collider] === undefined ? '' : `: n^${exponents[collider].toFixed(2)}`),
 		color: COLLIDERS.includes(collider) ? collider : 'minimal',
 		isDashed: i > 0,
-		points: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value)
+		points: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && isSure(entry))
 			.map((entry) => ({ x: entry.agents, y: entry.value })),
-		refused: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value === null).map((entry) => entry.agents),
+		refused: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && !isSure(entry)).map((entry) => entry.agents),
 	}))).filter(({ points, refused }) => points.length + refused.length > 0);
 	return { kind: 'lines', height: 420, unit: 'ms a frame', xUnit: `agents (${first.cast})`, series, line: [FRAME_MS, 'a frame at 25 a second'] };
 }

@@ -1,4 +1,4 @@
-import { COLLIDERS, FIGURES, isLeftOut, noteOf, tablesOf } from './figures.mjs';
+import { FIGURES, isLeftOut, noteOf, tablesOf } from './figures.mjs';
 import { ratio, time } from './format.mjs';
 import { key } from './statistics.mjs';
 
@@ -53,7 +53,7 @@ export function countLeftOut(entries) {
 }
 
 /**
- * Names the entries that are left out, with a command for each figure that measures them again; or an empty text.
+ * Names the entries that are left out, with the command that measures them alone again; or an empty text.
  *
  * @param {object[]} entries of a run
  * @param {string} commit what was measured; with changes that are not committed its runs share no report
@@ -64,22 +64,10 @@ export function repeats(entries, commit = '', sources = 'FOLDER') {
 	if (left.length === 0) {
 		return '';
 	}
-	const commands = FIGURES.map(({ id }) => [id, left.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
-		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found, sources)} -Drepetitions=11`);
+	const own = (isOf) => [...new Set(left.filter(isOf).map(({ variant }) => variant.replace(/, literal$/, '')).filter((name) => name.includes('.')))].join(',');
+	const [colliders, fitters] = [own(({ figure }) => GAMES.includes(figure)), own(({ figure }) => MODELS.includes(figure))];
+	const command = `    ./antw timing -Drefused${colliders && ` -Dcolliders=${colliders}`}${fitters && ` -Dfitters=${fitters}`}`
+		+ `${colliders || fitters ? ` -Dsources=${sources}` : ''} -Drepetitions=11`;
 	const where = commit.endsWith('-dirty') ? 'in a report of their own, as the clone has changes that are not committed. They replace the report that is there' : 'for the same report';
-	return [`Left out, as too noisy or contradictory: ${countLeftOut(entries)}`, ...left.map((entry) => `    ${key(entry)}${entry.refused ? '' : ' (its multiple alone)'}`), `To measure them again, ${where}:`, ...commands].join('\n');
-}
-
-// The options that measure no more of a figure than these entries.
-function choice(figure, entries, folder) {
-	const all = (values) => [...new Set(values)].join(',');
-	const variants = entries.map((entry) => entry.variant.replace(/, literal$/, ''));
-	const subjects = entries.map((entry) => entry.subject);
-	const own = variants.filter((name) => name.includes('.'));
-	const colliders = COLLIDERS.every((name) => variants.includes(name)) && own.length === 0 ? '' : ` -Dcolliders=${all(variants)}`;
-	const sources = own.length > 0 ? ` -Dsources=${folder}` : '';
-	if (MODELS.includes(figure)) {
-		return ` -Dmodels=${all(subjects)}${sources}${sources && ` -Dfitters=${all(own)}`}`;
-	}
-	return GAMES.includes(figure) ? ` -Dagents=${all(subjects.map((subject) => parseInt(subject)))}${colliders}${sources}` : '';
+	return [`Left out, as too noisy or contradictory: ${countLeftOut(entries)}`, ...left.map((entry) => `    ${key(entry)}${entry.refused ? '' : ' (its multiple alone)'}`), `To measure them alone again, ${where}:`, command].join('\n');
 }

@@ -25,8 +25,14 @@ export function bySubject(entries) {
 
 /** A time with its spread, or why there is none. */
 export function measured(entry) {
-	return entry ? entry.refused ?? `${time(entry.value)} ${entry.samples === 1 ? '(one sample)' : spread(entry.value, entry.low, entry.high)}` : '';
+	return entry ? entry.refused ?? `${marked(entry)} ${entry.samples === 1 ? '(one sample)' : spread(entry.value, entry.low, entry.high)}` : '';
 }
+
+// A time, with a mark if its multiple was left out.
+const marked = (entry) => time(entry.value) + (entry.multiple === null ? '?' : '');
+
+/** What the mark of a time means. */
+export const MARK = 'A time with ? may be wrong: its own multiple is left out, so something else took the processor. Nothing is computed from it.';
 
 /** What times and multiples are. */
 export const MEDIANS = 'medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; if one end is much farther, − and + both'
@@ -43,9 +49,18 @@ export function isLeftOut(entry) {
 	return Boolean(entry.refused) || entry.multiple === null;
 }
 
-/** How many times as long as ours the literal algorithm takes; both must be there. */
+/** Whether a time and its multiple are there, so that something can be computed from the time. */
+export const isSure = (entry) => Boolean(entry?.value) && entry.multiple !== null;
+
+/** How many times as long as ours the literal algorithm takes; both must be sure. */
 export function faster(ours, literal) {
-	return ours?.value && literal?.value ? literal.value / ours.value : undefined;
+	return isSure(ours) && isSure(literal) ? literal.value / ours.value : undefined;
+}
+
+/** The same with the range that follows from the ranges of both. */
+export function fasterWithRange(ours, literal) {
+	const value = faster(ours, literal);
+	return `${ratio(value)} ${spread(value, literal.low / ours.high, literal.high / ours.low)}`;
 }
 
 /** A multiple of the sphere-sphere test with its spread. That of the test itself is 1, and has none. */
@@ -62,7 +77,7 @@ function multiple(entry) {
 const thesisTime = (entry) => (entry?.thesis === undefined ? '' : quoted(entry.thesis));
 const times = (value) => (value === undefined ? '' : ratio(value));
 const beside = (entry) => (entry?.beside === undefined ? '' : entry.beside === null ? 'noisy' : time(entry.beside));
-const short = (entry) => (!entry ? '' : entry.refused ? 'noisy' : time(entry.value));
+const short = (entry) => (!entry ? '' : entry.refused ? 'noisy' : marked(entry));
 
 /** The variants that are not the report's own: a researcher's fitters or colliders, in their order. */
 function others(entries, known) {
@@ -71,10 +86,10 @@ function others(entries, known) {
 
 /** When to take each of the engine's colliders, in short; docs/choosing.md says more. */
 const TAKE = {
-	BinCollider: 'for many agents, roughly round',
+	BinCollider: 'for many roundish agents',
 	TightestFitCollider: 'in most games',
 	HierarchicalCollider: 'for few agents of odd shapes',
-	CombinationCollider: 'if players look closely at one',
+	CombinationCollider: 'where players look closely',
 };
 
 /** A row for each collider: how often it is right, what a frame of a crowd and of a scattered game takes, when to take it. */
@@ -83,8 +98,9 @@ function colliderRows(entries) {
 	const accuracies = Object.fromEntries(bySubject(entries.filter(({ figure }) => figure === 'colliders')));
 	const share = (entry) => (entry ? percent(entry.value / 100) : '');
 	const names = new Set([...COLLIDERS, ...Object.keys(accuracies), ...games.flatMap(([, found]) => others(Object.values(found), COLLIDERS))]);
-	return [...names].map((name) => [name, TAKE[name] ?? '(your own)', share(accuracies[name]?.precision),
-		share(accuracies[name]?.recall), ...games.flatMap(([, found]) => [short(found[name]), beside(found[name])])])
+	const timeOf = (entry) => (entry?.refused ? 'noisy' : measured(entry));
+	return [...names].map((name) => [COLLIDERS.includes(name) ? name.replace('Collider', '') : name, TAKE[name] ?? '(your own)', share(accuracies[name]?.precision),
+		share(accuracies[name]?.recall), ...games.flatMap(([, found]) => [timeOf(found[name]), beside(found[name])])])
 		.filter((row) => row.slice(2).some(Boolean));
 }
 
@@ -177,7 +193,7 @@ export function growth(entries) {
 	const casts = [...new Set(entries.map((entry) => castOf(entry)))];
 	return casts.map((cast) => {
 		const fitted = (size) => Object.fromEntries(collidersOf(entries)
-			.map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast && entry.value)])
+			.map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast && isSure(entry))])
 			.map(([name, games]) => [name, exponent(games.map((entry) => [size(entry), entry.value]))])
 			.filter(([, value]) => value !== undefined));
 		return {
@@ -202,8 +218,8 @@ function mostAgents(games) {
 		return 'DIFFER';
 	}
 	const agents = (condition) => games.filter(condition).map((entry) => entry.agents);
-	const holds = Math.max(...agents((entry) => entry.value && entry.high <= FRAME_MS));
-	const fails = Math.min(...agents((entry) => entry.value && entry.low > FRAME_MS));
+	const holds = Math.max(...agents((entry) => isSure(entry) && entry.high <= FRAME_MS));
+	const fails = Math.min(...agents((entry) => isSure(entry) && entry.low > FRAME_MS));
 	if (holds === -Infinity) {
 		return fails === Infinity ? (games.length > 0 ? 'noisy' : '') : `fewer than ${fails}`;
 	}

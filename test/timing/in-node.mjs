@@ -18,13 +18,14 @@ const { ModelFiles, Plan, Results, Settings, TaskQueue } = tests;
 
 mount(tests, ["/assets=assets"]);
 
-const settings = new Settings(Object.fromEntries(given.map((each) => each.split("="))));
+const settings = new Settings(Object.fromEntries(given.map((each) => each.split(/=(.*)/s))));
 // the monitor draws on Flash's stage
 settings.figures = settings.figures.filter((figure) => figure !== "monitor");
 const files = await new Promise((resolve, reject) => {
 	const loaded = new ModelFiles(() => resolve(loaded), (text) => reject(new Error(text)), false);
 });
 const results = new Results();
+results.settings = settings.described;
 const queue = new TaskQueue(new Plan(settings, files, results, null).tasks);
 console.log("the same as an ES module, in Node:");
 while (!queue.work());

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
 import { countLeftOut, repeats } from './console.mjs';
-import { FIGURES, MEDIANS, bySubject, faster, measured, noteOf, tablesOf } from './figures.mjs';
+import { FIGURES, MARK, MEDIANS, bySubject, castOf, faster, fasterWithRange, isSure, measured, noteOf, tablesOf } from './figures.mjs';
 import { ratio } from './format.mjs';
 import { loadText, wasDisturbed } from './machine.mjs';
 
@@ -47,10 +47,13 @@ ${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 </main>
 <footer>
 <p>Times are ${MEDIANS} “×” is a multiple of the sphere-sphere test, measured in turns
-with it: only these can be compared across machines.</p>
+with it: only these can be compared across machines, and only if both were free.</p>
 <p id="left-out">Noisy: half of the range of the time, or of the multiple, is more than 30 % of its median, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
-cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.</p>
+cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.
+${MARK}</p>
 ${again(report)}
+${(report.runs ?? []).map((run) => `<p>${escape(runText(run))}</p>`).join('\n')}
+<p>The thesis: ${THESIS} To cite this report: ${escape(citation(report))}</p>
 <p>${report.load ? escape(loadText(report.load, report.machine.cores)) : ''}${report.earlierEntries ? ` ${earlierText(report)}` : ''}</p>
 <p>${Object.entries({ ...report.machine, ...report.versions }).map(([name, value]) => `<span>${words(name)}: ${escape(value)}</span>`).join(' · ')}</p>
 </footer>
@@ -60,6 +63,25 @@ ${draw}</script>
 </body>
 </html>
 `;
+}
+
+const THESIS = 'Divya Bajekal, “Improved Collision Detection in StarLogo Nova”, thesis, Massachusetts Institute of Technology, Cambridge (Massachusetts), 2015.';
+
+/** How a report is cited. */
+export function citation({ created, machine, versions }) {
+	return `“Collision engine: timing report”, starlogo-collision ${versions.engine} (commit ${versions.commit}), ${created.slice(0, 10)}, in ${versions.player} on ${machine.processor}.`;
+}
+
+/** What a run measured, and how often, in words. */
+export function runText({ created, settings, load }) {
+	const what = settings.refused ? 'what the report had left out, again' : `a ${settings.full ? 'full' : 'quick'} run`;
+	const has = (figure) => (settings.options.figures ?? figure).split(',').includes(figure);
+	const games = [['crowds', settings.crowds], ['scattered games', settings.games]].filter(([name, counts]) => has(name.split(' ')[0]) && counts.length > 0)
+		.map(([name, counts]) => `${name} of ${counts.join(', ')} agents`);
+	const options = Object.entries(settings.options).sort().map(([name, value]) => `-D${name}=${value}`).join(' ');
+	const often = `${settings.repetitions} repetitions${settings.longRepetitions === settings.repetitions ? '' : `, ${settings.longRepetitions} of what takes long`}`;
+	return `Run of ${created.slice(0, 16).replace('T', ' ')} UTC: ${[what, often, ...games, options ? `options ${options}` : 'without options'].join('; ')}. Load ${
+		load?.start ?? '?'} to ${load?.end ?? '?'}.`;
 }
 
 /** How many of a report's entries are not of its last run, in words. */
@@ -130,30 +152,34 @@ function tiles({ entries, exponents }) {
 	const of = (figure) => entries.filter((entry) => entry.figure === figure);
 	const found = [];
 	const tests = Object.fromEntries(bySubject(of('tests')));
-	if (tests.sphereSphere?.engine.value) {
+	if (isSure(tests.sphereSphere?.engine)) {
 		found.push([measured(tests.sphereSphere.engine), 'a sphere-sphere test']);
 	}
 	if (faster(tests.boxBox?.engine, tests.boxBox?.literal)) {
-		found.push(compared(faster(tests.boxBox.engine, tests.boxBox.literal), 'the thesis\'s box-box test in the same run'));
+		found.push(compared(tests.boxBox, 'the thesis\'s box-box test in the same run'));
 	}
-	const fits = bySubject(of('fits')).map(([, fit]) => faster(fit.engine, fit.literal)).filter(Boolean).sort((a, b) => a - b);
+	const models = bySubject(of('fits')).map(([, fit]) => fit);
+	const fits = models.filter((fit) => faster(fit.engine, fit.literal)).sort((a, b) => faster(a.engine, a.literal) - faster(b.engine, b.literal));
 	if (fits.length > 0) {
-		found.push(compared(fits[fits.length >> 1], 'the thesis\'s search for the tightest fit (median of the models)'));
+		const [least, most] = [fits[0], fits.at(-1)].map((fit) => ratio(faster(fit.engine, fit.literal)));
+		found.push(compared(fits[fits.length >> 1], `the thesis's search for the tightest fit (median of ${fits.length} of ${models.length} models, from ${least} to ${most})`));
 	}
 	const bears = Object.fromEntries(bySubject(of('crowds')))['100 bears'];
-	if (bears?.TightestFitCollider?.value) {
+	if (isSure(bears?.TightestFitCollider)) {
 		found.push([measured(bears.TightestFitCollider), 'a frame of 100 colliding bears, TightestFitCollider (thesis: 1300 ms)']);
 	}
-	const exponent = exponents.find(({ cast }) => cast.endsWith('as dense'))?.exponents.TightestFitCollider;
+	const { cast, exponents: { TightestFitCollider: exponent } } = exponents.find((each) => each.cast.endsWith('as dense')) ?? { exponents: {} };
 	if (exponent !== undefined) {
-		found.push([ratio(2 ** exponent), 'as long for twice as many agents, scattered at the same density']);
+		const games = of('scattered').filter((entry) => entry.variant === 'TightestFitCollider' && castOf(entry) === cast && isSure(entry)).map(({ agents }) => agents);
+		found.push([ratio(2 ** exponent), `as long for twice as many agents, scattered at the same density (fitted to ${games.length} games of ${
+			Math.min(...games)} to ${Math.max(...games)} agents, TightestFitCollider)`]);
 	}
 	return found;
 }
 
-/** A tile for how many times as long as the engine another takes. */
-function compared(value, other) {
-	return value >= 1 ? [ratio(value), `as fast as ${other}`] : [ratio(1 / value), `as long as ${other}`];
+/** A tile for how many times as long as the engine the literal algorithm takes. */
+function compared({ engine, literal }, other) {
+	return faster(engine, literal) >= 1 ? [fasterWithRange(engine, literal), `as fast as ${other}`] : [fasterWithRange(literal, engine), `as long as ${other}`];
 }
 
 const words = (name) => name.replace(/GB$/, ' in GB');

@@ -18,11 +18,11 @@ import { refuse } from '../../build/refuse.mjs';
 import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
-import { differing, growth, MEDIANS } from './figures.mjs';
+import { differing, growth, MARK, MEDIANS } from './figures.mjs';
 import { greatestLoad, load, loadText, machine, versions, wasBusy, wasDisturbed } from './machine.mjs';
-import { earlierText, moduleText, page } from './page.mjs';
+import { earlierText, moduleText, page, runText } from './page.mjs';
 import { olderReportOrEnd } from './older.mjs';
-import { changes, merged, withoutContradictions } from './statistics.mjs';
+import { changes, key, merged, withoutContradictions } from './statistics.mjs';
 
 const { positionals: [folder], values } = parseArgs({
 	allowPositionals: true,
@@ -47,13 +47,17 @@ const taken = beside ? addBeside(own, withoutContradictions(beside.entries)) : o
 const earlier = existsSync(file('report.json')) ? JSON.parse(await readFile(file('report.json'), 'utf8')) : undefined;
 const isContinued = earlier !== undefined && areOfOne(earlier, measured);
 const entries = isContinued ? merged(earlier.entries, taken) : taken;
+const kept = entries.filter((entry) => !taken.includes(entry));
+const better = kept.filter((entry) => taken.some((own) => key(own) === key(entry))).length;
 const ownLoad = { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() };
+const run = { created: began.toISOString(), settings: results.settings, load: ownLoad };
 const report = {
 	schema: 1,
 	created: began.toISOString(),
 	...measured,
 	load: isContinued ? greatestLoad(earlier.load, ownLoad) : ownLoad,
-	...(entries.length > taken.length && { earlierEntries: entries.length - taken.length }),
+	...(kept.length > 0 && { earlierEntries: kept.length }),
+	runs: [...(isContinued ? (earlier.runs ?? []).filter(({ created }) => created !== run.created) : []), ...(run.settings ? [run] : [])],
 	...(results.isComplete === false && { isComplete: false }),
 	...(values.sources && { sources: values.sources }),
 	...(module && { module: { player: module.player, ...timesAsFast(own, module.entries) } }),
@@ -68,7 +72,8 @@ await writeFile(file('timing.txt'), tables(report.entries, state) + '\n');
 console.log(`\n${tables(taken, state)}\n`);
 console.log(`Taken in ${report.versions.player}${beside ? `; the columns and rows named JIT in ${beside.player}` : ''}.`);
 if (report.module) console.log(moduleText(report.module));
-console.log(`Times and multiples are ${MEDIANS}`);
+console.log(`Times and multiples are ${MEDIANS} ${MARK}`);
+if (run.settings) console.log(runText(run));
 console.log(loadText(report.load, report.machine.cores));
 if (older) {
 	const date = older.created.slice(0, 16).replace('T', ' ');
@@ -76,7 +81,8 @@ if (older) {
 		: comparison(changes(older.entries, report.entries), date)));
 }
 if (report.earlierEntries) console.log(`${earlierText(report)} All tables are in ${file('timing.txt')}.`);
-const again = repeats(taken, report.versions.commit, report.sources);
+if (better > 0) console.log(`Of ${better} entries that were measured again the report keeps the earlier numbers, because the new ones were left out or are of one sample.`);
+const again = repeats(entries, report.versions.commit, report.sources);
 if (again) console.log('\n' + again);
 console.log(`\nThe report: ${file('report.html')}`);
 for (const run of [results, beside, module].filter(Boolean)) {

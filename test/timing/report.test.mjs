@@ -10,10 +10,10 @@ import { chartsOf } from './charts.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { differing, FIGURES, growth, agentsAt25Frames, shownIn } from './figures.mjs';
-import { greatestLoad, loadText, wasBusy } from './machine.mjs';
+import { greatestLoad, loadText, versions, wasBusy } from './machine.mjs';
 import { percent, quoted, ratio, significant, time } from './format.mjs';
 import { olderReport } from './older.mjs';
-import { moduleText, page } from './page.mjs';
+import { moduleText, page, runText } from './page.mjs';
 import { changes, exponent, merged, withoutContradictions } from './statistics.mjs';
 
 const timed = (figure, subject, variant, value, more = {}) => ({
@@ -140,7 +140,7 @@ test('a multiple is refused by its own range, and that of the base is 1', () => 
 	const text = tables(found);
 	assert.match(text, /^sphereSphere +240 ns ±3 % +1\.0×$/m);
 	assert.match(text, /^boxBox +1\.90 µs ±3 % +8\.0× ±13 %$/m);
-	assert.match(text, /^hullHull +5\.00 µs ±3 % +noisy$/m);
+	assert.match(text, /^hullHull +5\.00 µs\? ±3 % +noisy$/m);
 	assert.match(repeats(found), /tests \/ hullHull \/ engine \(its multiple alone\)\nTo/);
 });
 
@@ -299,7 +299,7 @@ test('the page is self-contained and has every figure there are entries of', asy
 		assert.equal(html.includes(figure.title), shownIn(figure, entries).length > 0, figure.id);
 	}
 	assert.match(html, /&lt;fast&gt;/);
-	assert.match(html, /<dt>as fast as the thesis's box-box test in the same run<\/dt><dd>34×<\/dd>/);
+	assert.match(html, /<dt>as fast as the thesis's box-box test in the same run<\/dt><dd>34× <small>±6 %<\/small><\/dd>/);
 	assert.match(html, /<dt>a frame of 100 colliding bears,[^<]*<\/dt><dd>17\.5 ms <small>±3 %<\/small><\/dd>/);
 });
 
@@ -316,12 +316,12 @@ test('one table has a row for each collider: how often it is right, how long a f
 		[['precision', precision], ['recall', recall]].map(([variant, value]) => ({ figure: 'colliders', subject, variant, value, unit: '%' })));
 	const text = tables([...entries, ...shares]);
 	assert.match(text, /^collider +take it +precision +recall +100 bears +1000 mix\n +together +scattered$/m);
-	assert.match(text, /^BinCollider +for many agents, roughly round +55 % +96 % +noisy +2\.00 ms$/m);
-	assert.match(text, /^TightestFitCollider +in most games +53 % +100 % +17\.5 ms$/m);
+	assert.match(text, /^Bin +for many roundish agents +55 % +96 % +noisy +2\.00 ms ±3 %$/m);
+	assert.match(text, /^TightestFit +in most games +53 % +100 % +17\.5 ms ±3 %$/m);
 	const jit = [...entries, ...shares].map((entry) => (['crowds', 'scattered'].includes(entry.figure) ? { ...entry, beside: 0.123 } : entry));
 	assert.ok(tables(jit).split('\n').every((line) => line.length <= 112));
 	assert.match(text, /^game\.Discs +\(your own\) +40 % +90 %$/m);
-	assert.doesNotMatch(text, /^HierarchicalCollider/m);
+	assert.doesNotMatch(text, /^Hierarchical/m);
 	assert.match(await page({ ...EMPTY, entries: shares }, '..'), /Which collider to take[^]*<a href="\.\.\/docs\/choosing\.md">/);
 	assert.match(tables(entries), /^collider +take it +100 bears +1000 mix$/m);
 	// another number of the same agents comes before other agents, and a game that was not measured is not spoken of
@@ -386,6 +386,64 @@ test('a later run takes the places of its entries alone', () => {
 	assert.equal(both.at(-1).subject, 'cube');
 });
 
+test('a number that is left out does not take the place of one that is not', () => {
+	const [accepted] = entries;
+	const refused = { ...accepted, value: null, multiple: null, refused: '±79 %, noisy' };
+	const half = { ...accepted, multiple: null };
+	assert.deepEqual(merged([accepted], [refused]), [accepted]);
+	assert.deepEqual(merged([accepted], [half]), [accepted]);
+	assert.deepEqual(merged([half], [refused]), [half]);
+	assert.deepEqual(merged([refused], [half]), [half]);
+	assert.deepEqual(merged([refused], [accepted]), [accepted]);
+	// collisions that are wrong now are told, whatever the time
+	const wrong = { ...refused, agrees: false };
+	assert.deepEqual(merged([{ ...accepted, agrees: true }], [wrong]), [wrong]);
+});
+
+test('of the BinCollider\'s crowds of one size those that took longer than the fastest are left out', () => {
+	const crowd = (subject, agents, value, variant = 'BinCollider') => timed('crowds', subject, variant, value, { agents });
+	const found = withoutContradictions([crowd('100 spheres', 100, 214), crowd('100 bears', 100, 93), crowd('100 mix', 100, 99), crowd('10 bears', 10, 1.07),
+		crowd('100 spheres', 100, 214, 'TightestFitCollider'), crowd('100 bears', 100, 93, 'TightestFitCollider')]);
+	assert.deepEqual(found.filter(({ refused }) => refused).map(({ subject, variant }) => `${subject} ${variant}`), ['100 spheres BinCollider']);
+});
+
+test('a time whose multiple is left out is marked, and nothing is computed from it', async () => {
+	const pair = [timed('tests', 'boxBox', 'engine', 0.0019, { multiple: null }), timed('tests', 'boxBox', 'literal', 0.065)];
+	assert.match(tables(pair), /^boxBox +1\.90 µs\? ±3 % +noisy +65\.0 µs +260× ±3 %$/m);
+	assert.doesNotMatch(await page({ ...EMPTY, entries: pair }), /box-box test in the same run/);
+	assert.deepEqual(chartsOf([timed('fits', 'bear', 'engine', 6, { multiple: null }), timed('fits', 'bear', 'literal', 240)]).fits.series.map(({ values, refused }) => [values, refused]),
+		[[[null], [true]], [[240], [false]]]);
+	const game = timed('scattered', '100 mix', 'BinCollider', 1, { agents: 100, multiple: null });
+	assert.deepEqual(agentsAt25Frames([game]), [['mix', 'noisy', '', '', '']]);
+});
+
+test('the report has the settings of its runs, and says how it and the thesis are cited', async () => {
+	const run = (more) => ({ created: '2026-01-02T03:04:05Z', load: { start: 0.2, end: 1 },
+		settings: { full: false, repetitions: 5, longRepetitions: 3, crowds: [10, 100], games: [], refused: false, options: {}, ...more } });
+	assert.equal(runText(run()), 'Run of 2026-01-02 03:04 UTC: a quick run; 5 repetitions, 3 of what takes long; crowds of 10, 100 agents; without options. Load 0.2 to 1.');
+	assert.match(runText(run({ refused: true, longRepetitions: 5, options: { repetitions: '5', figures: 'tests' } })),
+		/: what the report had left out, again; 5 repetitions; options -Dfigures=tests -Drepetitions=5\./);
+	const html = await page({ ...EMPTY, runs: [run(), run({ full: true })], versions: { engine: '9.8.7', commit: 'abc', player: 'Ruffle' }, machine: { processor: 'a <fast>' }, entries });
+	assert.match(html, /<p>Run of [^<]*: a quick run[^]*<p>Run of [^<]*: a full run/);
+	assert.match(html, /Divya Bajekal, “Improved[^<]*Massachusetts Institute of Technology[^<]*2015\. To cite this report: [^<]* 9\.8\.7 \(commit abc\), 2026-01-02, in Ruffle on a &lt;fast&gt;\./);
+});
+
+test('-Drefused measures what a report of the same commit has left out', (t) => {
+	const folder = mkdtempSync(path.join(tmpdir(), 'report-test-'));
+	t.after(() => rmSync(folder, { recursive: true }));
+	const asked = (...figures) => spawnSync(process.execPath, [fileURLToPath(new URL('refused.mjs', import.meta.url)), folder, ...figures], { encoding: 'utf8' });
+	assert.match(asked().stderr, /^-Drefused: there is no report .*report\.json yet/);
+	const write = (commit, found) => writeFileSync(path.join(folder, 'report.json'), JSON.stringify({ ...EMPTY, versions: { commit }, entries: found }));
+	write('another', entries);
+	assert.match(asked().stderr, /^-Drefused: the report .* is of commit another, and this clone is at /);
+	const { commit } = versions('');
+	const question = timed('experiments', '§7.4 factor 3', 'with', 1, { multiple: null });
+	write(commit, [...entries, question]);
+	assert.deepEqual(asked().stdout.trim().split(';').map(decodeURIComponent), ['crowds / 100 bears / BinCollider', 'experiments / §7.4 factor 3 / with']);
+	assert.deepEqual(asked('fits,crowds').stdout.trim().split(';').map(decodeURIComponent), ['crowds / 100 bears / BinCollider']);
+	assert.deepEqual([asked('tests').status, asked('tests').stdout], [64, '']);
+});
+
 test('one sample has no range, is not compared, and does not take the place of more', () => {
 	const once = timed('tests', 'boxBox', 'engine', 0.0019, { low: 0.0019, high: 0.0019, multiple: 8, multipleLow: 8, multipleHigh: 8, samples: 1 });
 	assert.match(tables([once]), /^boxBox +1\.90 µs \(one sample\) +8\.0×$/m);
@@ -407,9 +465,9 @@ test('a report that several runs have made says so, with the greatest load', asy
 });
 
 test('what is noisy is named, with a command that repeats it', () => {
-	assert.match(repeats(entries), /crowds \/ 100 bears \/ BinCollider\n.*\n {4}\.\/antw timing -Dfigures=crowds -Dagents=100 -Dcolliders=BinCollider -Drepetitions=11$/);
-	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'noisy' })]), /-Dfigures=fits -Dmodels=bear /);
-	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })]), /-Dmodels=cube -Dsources=FOLDER -Dfitters=game\.UprightFitter -Drep/);
+	assert.match(repeats(entries), /crowds \/ 100 bears \/ BinCollider\n.*\n {4}\.\/antw timing -Drefused -Drepetitions=11$/);
+	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })]), /-Drefused -Dfitters=game\.UprightFitter -Dsources=FOLDER -Drep/);
+	assert.match(repeats([timed('crowds', '10 bears', 'game.Discs', null, { refused: 'noisy' })]), /-Drefused -Dcolliders=game\.Discs -Dsources=FOLDER -Drep/);
 	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })], '', '../my/src'), / -Dsources=\.\.\/my\/src /);
 	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'contradictory' })]), /^Left out, as too noisy or contradictory: 1 of 1 times\n/);
 	const ofMultiple = repeats([timed('fits', 'bear', 'literal', null, { refused: 'noisy' }), timed('fits', 'bear', 'engine', 1, { multiple: null })]);
@@ -418,15 +476,13 @@ test('what is noisy is named, with a command that repeats it', () => {
 });
 
 test('what is noisy can join a report only if the commit says what was measured', () => {
-	assert.match(repeats(entries, 'abc'), /^To measure them again, for the same report:$/m);
-	assert.match(repeats(entries, 'abc-dirty'), /^To measure them again, .* changes that are not committed.*report/m);
-	const all = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'].map((name) => timed('crowds', '100 bears', name, null, { refused: 'noisy' }));
-	assert.match(repeats(all), /-Dfigures=crowds -Dagents=100 -Drepetitions=11$/);
+	assert.match(repeats(entries, 'abc'), /^To measure them alone again, for the same report:$/m);
+	assert.match(repeats(entries, 'abc-dirty'), /^To measure them alone again, .* changes that are not committed.*report/m);
 });
 
 test('the page says at its top what is missing', async () => {
 	assert.match(await page({ ...EMPTY, entries }), /<p id="left-out">Noisy: half of the range /);
-	assert.match(await page({ ...EMPTY, entries }), /<a href="#left-out">Left out<\/a>, as too noisy or contradictory: 1 of 13 times\.[^]*<p id="left-out">[^]*<pre>Left out, [^]*\n {4}\.\/antw timing -Dfigures=crowds /);
+	assert.match(await page({ ...EMPTY, entries }), /<a href="#left-out">Left out<\/a>, as too noisy or contradictory: 1 of 13 times\.[^]*<p id="left-out">[^]*<pre>Left out, [^]*\n {4}\.\/antw timing -Drefused /);
 	assert.doesNotMatch(await page({ ...EMPTY, entries: entries.filter(({ refused }) => !refused) }), /href="#left-out"/);
 	assert.match(await page({ ...EMPTY, isComplete: false, entries }), /class="warning">The run ended early/);
 	assert.doesNotMatch(await page({ ...EMPTY, entries }), /ended early/);

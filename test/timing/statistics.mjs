@@ -54,7 +54,8 @@ const UNUSUAL = 0.3;
 /**
  * The entries without the numbers that contradict others: something else took the processor in a part of the run. A time and its multiple
  * tell how long the sphere-sphere test took beside it. If that is unusual, the entry has no number. If the times of an engine and
- * its literal algorithm have another ratio than their multiples, neither has.
+ * its literal algorithm have another ratio than their multiples, neither has. The BinCollider does the same in all crowds of as many agents,
+ * so of these those have no number that took longer than the fastest.
  *
  * @param {object[]} entries of a run
  */
@@ -73,6 +74,12 @@ export function withoutContradictions(entries) {
 			bad.add(literal).add(ours);
 		}
 	}
+	const bins = timed.filter(({ figure, variant }) => figure === 'crowds' && variant === 'BinCollider');
+	for (const crowd of bins) {
+		if (bins.some((other) => other.agents === crowd.agents && other.high < crowd.low && areApart([other.low, other.high], [crowd.low, crowd.high]))) {
+			bad.add(crowd);
+		}
+	}
 	return entries.map((entry) => (bad.has(entry) ? { ...entry, value: null, multiple: null, refused: CONTRADICTORY } : entry));
 }
 
@@ -83,8 +90,12 @@ function engineOf({ figure, variant }) {
 	return figure === 'hierarchies' ? 'engine, vertices' : variant.endsWith(', literal') ? variant.slice(0, -', literal'.length) : variant.replace('literal', 'engine');
 }
 
+// A number that is left out is worth less than a time whose multiple is, and this less than a time with a multiple.
+const worth = (entry) => (entry.refused ? 0 : entry.multiple === null ? 1 : 2);
+
 /**
- * A report's entries with those of a later run in their places. One sample does not take the place of more.
+ * A report's entries with those of a later run in their places. One sample does not take the place of more. What is left out does not take
+ * the place of what is not, unless a test of all pairs says otherwise of its collisions than before.
  *
  * @param {object[]} older entries of the report
  * @param {object[]} newer entries of the run
@@ -94,7 +105,9 @@ export function merged(older, newer) {
 	const kept = new Set(older.map(key));
 	const latest = (entry) => {
 		const found = later.get(key(entry));
-		return !found || found.samples === 1 && entry.samples > 1 ? entry : found;
+		if (!found) return entry;
+		const isWorse = worth(found) < worth(entry) || found.samples === 1 && entry.samples > 1;
+		return isWorse && found.agrees === entry.agrees ? entry : found;
 	};
 	return [...older.map(latest), ...newer.filter((entry) => !kept.has(key(entry)))];
 }

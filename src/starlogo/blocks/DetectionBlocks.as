@@ -87,14 +87,14 @@ package starlogo.blocks
          *
          * @param agent the agent that asks
          * @param breed as in countWithin
-         * @param trait the name of a trait, for example "color"
+         * @param trait the name of a trait, for example "color". The class of the breed's agents may have added it
          * @param value the value that the trait must have
-         * @throws BlockError if something is missing, or agents have no such trait
+         * @throws BlockError if something is missing, or the breed has agents and none of them has such a trait
          */
         public function countWith(agent:Agent, breed:String, trait:String, value:Object):int
         {
             checkAsker("count with", agent, breed);
-            return queries.countNear(agent, Infinity, filterFor(breed, testFor("count with", agent, trait, value)));
+            return queries.countNear(agent, Infinity, filterFor(breed, testFor("count with", breed, trait, value)));
         }
 
         /**
@@ -126,7 +126,7 @@ package starlogo.blocks
         public function nearestWith(agent:Agent, breed:String, trait:String, value:Object):Agent
         {
             checkAsker("nearest with", agent, breed);
-            return queries.nearest(agent, Infinity, filterFor(breed, testFor("nearest with", agent, trait, value)));
+            return queries.nearest(agent, Infinity, filterFor(breed, testFor("nearest with", breed, trait, value)));
         }
 
         /**
@@ -250,11 +250,12 @@ package starlogo.blocks
             return filter;
         }
 
-        private static function testFor(block:String, asker:Agent, trait:String, value:Object):Function
+        private function testFor(block:String, breed:String, trait:String, value:Object):Function
         {
-            if (trait == null || !(trait in asker))
+            if (trait == null || isMissing(trait, breed))
             {
-                throw new BlockError(block, "does not know the trait " + BlockChecks.nameOf(trait)
+                var whose:String = breed == Collision.ANY_BREED ? "no agent has it" : "no agent of the breed \"" + breed + "\" has it";
+                throw new BlockError(block, "does not know the trait " + BlockChecks.nameOf(trait) + ": " + whose
                         + ". Check how it is spelled. An agent has breed, shape, size, heading, x, y and z, and what its class adds.");
             }
             return function(agent:Agent):Boolean
@@ -262,6 +263,24 @@ package starlogo.blocks
                 // the breed may have agents of another class, without the trait
                 return trait in agent && agent[trait] == value;
             };
+        }
+
+        // Whether a breed has agents, and none of them has a trait. A class may add traits, and a breed may have agents of several classes.
+        private function isMissing(trait:String, breed:String):Boolean
+        {
+            var isMissing:Boolean = false;
+            for each (var agent:Agent in _collisions.agents)
+            {
+                if (agent != null && (breed == Collision.ANY_BREED || agent.breed == breed))
+                {
+                    if (trait in agent)
+                    {
+                        return false;
+                    }
+                    isMissing = true;
+                }
+            }
+            return isMissing;
         }
 
         private function checkAsker(block:String, agent:Agent, breed:String):void

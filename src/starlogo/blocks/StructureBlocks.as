@@ -4,10 +4,12 @@ package starlogo.blocks
     import starlogo.data.keyOf;
     import starlogo.data.requireGiven;
     import starlogo.debug.CollisionLines;
+    import starlogo.handlers.warnOfMissingBreeds;
 
     /**
      * The block "show bounding structures". It says which agents' structures are shown, and returns lines to draw: the shapes that the
-     * collision system in use tests.
+     * collision system in use tests. They are appended to <code>out</code>: set its length to 0 before each frame. Other calls of the engine overwrite
+     * theirs.
      */
     public class StructureBlocks
     {
@@ -31,7 +33,7 @@ package starlogo.blocks
         }
 
         /**
-         * The block "show bounding structures".
+         * The block "show bounding structures". A breed need not have agents yet. One that is probably misspelled is warned of.
          *
          * @param subject an agent, or the name of a breed
          * @param isOn whether to show or hide the structures
@@ -45,6 +47,10 @@ package starlogo.blocks
             if (isOn)
             {
                 _shown[key] = true;
+            }
+            if (subject is String)
+            {
+                warnOfMissingBreeds(new <String>[subject as String], _collisions.agents, null);
             }
         }
 

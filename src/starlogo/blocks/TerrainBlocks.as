@@ -154,7 +154,8 @@ package starlogo.blocks
          */
         public function isTouchingEdge(agent:Agent):Boolean
         {
-            return contactWithEdge("touching edge?", agent) != null;
+            BlockChecks.requirePlacedAgent("touching edge?", agent);
+            return _collisions.collision.bounds != null && contactWithEdge("touching edge?", agent) != null;
         }
 
         /**
@@ -163,7 +164,7 @@ package starlogo.blocks
          *
          * @param agent the agent that asks
          * @return one of edgeNames; null if it touches none
-         * @throws BlockError if there is no agent
+         * @throws BlockError if there is no agent, or the world has no edges
          */
         public function edgeTouched(agent:Agent):String
         {
@@ -182,7 +183,7 @@ package starlogo.blocks
          * has no place in it: it still reaches beyond an edge, and may be moved in every frame.
          *
          * @param agent the agent that stops
-         * @throws BlockError if there is no agent
+         * @throws BlockError if there is no agent, or the world has no edges
          */
         public function stopAtEdge(agent:Agent):void
         {
@@ -194,7 +195,7 @@ package starlogo.blocks
          * the world. In a corner each edge is a mirror.
          *
          * @param agent the agent that bounces
-         * @throws BlockError if there is no agent
+         * @throws BlockError if there is no agent, or the world has no edges
          */
         public function bounceOffEdge(agent:Agent):void
         {
@@ -219,16 +220,12 @@ package starlogo.blocks
          * The block "wrap at the edge": an agent whose place is beyond an edge comes in at the opposite edge. It has no motion in this frame.
          *
          * @param agent the agent that wraps
-         * @throws BlockError if there is no agent
+         * @throws BlockError if there is no agent, or the world has no edges
          */
         public function wrapAtEdge(agent:Agent):void
         {
             BlockChecks.requirePlacedAgent("wrap at the edge", agent);
-            var bounds:WorldBounds = _collisions.collision.bounds;
-            if (bounds == null)
-            {
-                return;
-            }
+            var bounds:WorldBounds = boundsOf("wrap at the edge");
             var x:Number = wrapped(agent.x, bounds.minX, bounds.maxX);
             var y:Number = wrapped(agent.y, bounds.minY, bounds.maxY);
             var z:Number = wrapped(agent.z, bounds.minZ, bounds.maxZ);
@@ -252,13 +249,22 @@ package starlogo.blocks
         private function contactWithEdge(block:String, agent:Agent):Contact
         {
             BlockChecks.requirePlacedAgent(block, agent);
-            var bounds:WorldBounds = _collisions.collision.bounds;
-            return bounds == null ? null : _collisions.contactNow(block, agent, bounds.agent);
+            return _collisions.contactNow(block, agent, boundsOf(block).agent);
         }
 
         private function raiseAt(block:String, x:Number, y:Number, height:Number):void
         {
             BlockChecks.attempt(block, CANNOT_BUILD, groundOf(block).raiseWall, x, y, height);
+        }
+
+        private function boundsOf(block:String):WorldBounds
+        {
+            var bounds:WorldBounds = _collisions.collision.bounds;
+            if (bounds == null)
+            {
+                throw new BlockError(block, "needs edges of the world, but this game has none.");
+            }
+            return bounds;
         }
 
         private function groundOf(block:String):Terrain

@@ -16,8 +16,9 @@ package starlogo.bounding
     use namespace engine;
 
     /**
-     * A simple solid that encloses a model. The collision systems test it instead of the model (thesis §3.3). The pair tests know the
-     * subclasses Sphere, Capsule, Box and Hull. They refuse a Cylinder, which is fitted but never collided, and a subclass of your own.
+     * A simple solid that encloses a model. The collision systems test it instead of the model (thesis §3.3). The pair tests take
+     * a Sphere, a Capsule, a Box, a Hull, and a convex subclass of your own, which has the kind HULL. They refuse the kind OTHER: a Cylinder, which
+     * is fitted but never collided, and any other subclass of your own.
      *
      * <p>A structure includes its surface: two structures that only touch collide, here and everywhere in the engine.</p>
      *
@@ -42,7 +43,7 @@ package starlogo.bounding
         /** The kind of a Hull, and of any other convex structure that has no tests of its own. */
         public static const HULL:int = 3;
 
-        /** The kind of a structure that no test of the engine takes: a Cylinder, or a structure of your own. */
+        /** The kind of a structure that no test of the engine takes: a Cylinder, or a structure of your own that does not have the kind HULL. */
         public static const OTHER:int = 4;
 
         /**

@@ -72,11 +72,12 @@ package starlogo.collision
          * Creates a collider.
          *
          * @param choice chooses the shapes that represent agents: a ShapeChoice
-         * @throws ArgumentError if it is another BaseShapeChoice, without tests of its shapes
+         * @throws ArgumentError if it is null, or another BaseShapeChoice, without tests of its shapes
          */
         public function Collider(choice:BaseShapeChoice)
         {
             super();
+            requireGiven("choice", choice);
             search = new CollisionSearch(narrowPhaseFor(choice));
             contactSearch = search;
         }

@@ -22,6 +22,9 @@ package starlogo.debug
     /**
      * Lines to draw that show what a collision system tests for an agent, in world coordinates (§7.3). They show the agent's unit sphere,
      * its structure, the level of its hierarchy at which the collider stops, or in exact mode its triangles.
+     *
+     * <p>Lines are appended to <code>out</code>, so that one list takes those of many agents. Set its length to 0 before each frame. Other calls of
+     * the engine overwrite theirs.</p>
      */
     public final class CollisionLines
     {

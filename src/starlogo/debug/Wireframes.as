@@ -23,7 +23,8 @@ package starlogo.debug
      * Lists of lines to draw: structures, levels of hierarchies, triangles and the ground.
      *
      * <p>A line is six numbers: x, y and z of one end, then of the other, in the structure's space. The ends lie on the structure's
-     * surface. Lines without length are left out, so a point has no lines.</p>
+     * surface. Lines without length are left out, so a point has no lines. Lines are appended to <code>out</code>: set its length to 0 if it shall
+     * have no others. Other calls of the engine overwrite theirs.</p>
      *
      * <p>A box has its twelve edges. A sphere has three circles. A capsule has a circle and two half-circles at each end, and four lines
      * between the ends. A cylinder has two circles and four lines. A hull has the edges between faces that are not in one plane.</p>

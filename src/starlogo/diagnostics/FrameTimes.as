@@ -31,9 +31,17 @@ package starlogo.diagnostics
             return _times.length;
         }
 
-        /** Adds a frame's time in milliseconds. */
+        /**
+         * Adds a frame's time in milliseconds.
+         *
+         * @throws RangeError if it is negative or not a number
+         */
         public function add(milliseconds:Number):void
         {
+            if (!(milliseconds >= 0))
+            {
+                throw new RangeError("milliseconds must be 0 or more, not " + milliseconds);
+            }
             _times[_next] = milliseconds;
             _next = _next + 1 == _capacity ? 0 : _next + 1;
         }

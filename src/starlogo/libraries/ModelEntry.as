@@ -30,7 +30,7 @@ package starlogo.libraries
         /** The tree whose nodes are the hierarchy, which may not be built yet; null if there is none. Read only. */
         public var tree:ModelTree = null;
 
-        /** Why the last load of a model of this name failed; null if it did not, or if another one has begun or come. Read only. */
+        /** Why the last load of a model of this name failed, or that it was cancelled; null if it did not, or if another one has begun or come. Read only. */
         public var loadProblem:String = null;
 
         private var _table:ModelTable;
@@ -83,11 +83,14 @@ package starlogo.libraries
             loadProblem = null;
         }
 
-        /** Counts one less, if one is loading. @param problem why its load failed; null if it did not */
+        /** Counts one less, if one is loading. @param problem why its load failed; null if it did not, and then it was cancelled unless there is a model */
         public function expectNoMore(problem:String):void
         {
             _loadingCount = Math.max(0, _loadingCount - 1);
-            loadProblem = problem || loadProblem;
+            if (problem != null || model == null)
+            {
+                loadProblem = problem || "it was cancelled";
+            }
         }
 
         /** Whether a model of this name is loading. */

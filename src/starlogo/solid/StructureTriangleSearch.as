@@ -104,12 +104,12 @@ package starlogo.solid
             var x:Number = motion.latestTime * motion.x;
             var y:Number = motion.latestTime * motion.y;
             var z:Number = motion.latestTime * motion.z;
-            _extents[0] = _coreExtents[0] + (x < 0 ? x : 0);
-            _extents[1] = _coreExtents[1] + (x > 0 ? x : 0);
-            _extents[2] = _coreExtents[2] + (y < 0 ? y : 0);
-            _extents[3] = _coreExtents[3] + (y > 0 ? y : 0);
-            _extents[4] = _coreExtents[4] + (z < 0 ? z : 0);
-            _extents[5] = _coreExtents[5] + (z > 0 ? z : 0);
+            _extents[0] = _coreExtents[0] + Math.min(x, 0);
+            _extents[1] = _coreExtents[1] + Math.max(x, 0);
+            _extents[2] = _coreExtents[2] + Math.min(y, 0);
+            _extents[3] = _coreExtents[3] + Math.max(y, 0);
+            _extents[4] = _coreExtents[4] + Math.min(z, 0);
+            _extents[5] = _coreExtents[5] + Math.max(z, 0);
         }
 
         // Offers the triangles of a leaf that are touched. The motion ends at the first touch so far, and a little later.

@@ -156,11 +156,8 @@ package starlogo.solid
         // How far a node's box reaches. Its numbers begin at an index: the middle, and the half-extents.
         private static function supportOfNode(boxes:Vector.<Number>, at:int, direction:Vector3D):Number
         {
-            var x:Number = direction.x;
-            var y:Number = direction.y;
-            var z:Number = direction.z;
-            return boxes[at] * x + boxes[int(at + 1)] * y + boxes[int(at + 2)] * z
-                + boxes[int(at + 3)] * (x < 0 ? -x : x) + boxes[int(at + 4)] * (y < 0 ? -y : y) + boxes[int(at + 5)] * (z < 0 ? -z : z);
+            return boxes[at] * direction.x + boxes[int(at + 1)] * direction.y + boxes[int(at + 2)] * direction.z
+                + boxes[int(at + 3)] * Math.abs(direction.x) + boxes[int(at + 4)] * Math.abs(direction.y) + boxes[int(at + 5)] * Math.abs(direction.z);
         }
 
         // Finds the farthest point of a node's box. If an edge or a face is across the direction, it is the middle of that.
@@ -178,34 +175,41 @@ package starlogo.solid
             var a:int = tree.cornerOffsets[int(3 * triangle)];
             var b:int = tree.cornerOffsets[int(3 * triangle + 1)];
             var c:int = tree.cornerOffsets[int(3 * triangle + 2)];
-            var x:Number = direction.x;
-            var y:Number = direction.y;
-            var z:Number = direction.z;
-            var ofA:Number = vertices[a] * x + vertices[int(a + 1)] * y + vertices[int(a + 2)] * z;
-            var ofB:Number = vertices[b] * x + vertices[int(b + 1)] * y + vertices[int(b + 2)] * z;
-            var ofC:Number = vertices[c] * x + vertices[int(c + 1)] * y + vertices[int(c + 2)] * z;
-            var most:Number = ofA > ofB ? ofA : ofB;
-            most = most > ofC ? most : ofC;
-            if (most < least)
+            var ofA:Number = vertices[a] * direction.x + vertices[int(a + 1)] * direction.y + vertices[int(a + 2)] * direction.z;
+            var ofB:Number = vertices[b] * direction.x + vertices[int(b + 1)] * direction.y + vertices[int(b + 2)] * direction.z;
+            var ofC:Number = vertices[c] * direction.x + vertices[int(c + 1)] * direction.y + vertices[int(c + 2)] * direction.z;
+            var farthest:Number = Math.max(ofA, Math.max(ofB, ofC));
+            if (farthest < least)
             {
                 return false;
             }
-            out.support = most;
+            out.support = farthest;
             out.x = out.y = out.z = 0;
             var count:int = 0;
-            for (var i:int = 3 * triangle; i < 3 * triangle + 3; i++)
+            if (ofA == farthest)
             {
-                var at:int = tree.cornerOffsets[i];
-                if ((at == a ? ofA : at == b ? ofB : ofC) == most)
-                {
-                    count++;
-                    out.x += vertices[at];
-                    out.y += vertices[int(at + 1)];
-                    out.z += vertices[int(at + 2)];
-                }
+                addCorner(vertices, a, out);
+                count++;
+            }
+            if (ofB == farthest)
+            {
+                addCorner(vertices, b, out);
+                count++;
+            }
+            if (ofC == farthest)
+            {
+                addCorner(vertices, c, out);
+                count++;
             }
             divide(out, count);
             return true;
+        }
+
+        private static function addCorner(vertices:Vector.<Number>, at:int, sum:SupportPoint):void
+        {
+            sum.x += vertices[at];
+            sum.y += vertices[int(at + 1)];
+            sum.z += vertices[int(at + 2)];
         }
 
         // Takes the point of a part of a tree, whose box is the first, if the part reaches farther than the parts before, or as far and the point is nearer

@@ -60,10 +60,12 @@ package starlogo.blocks
             assertFalse(_blocks.isTouching(_turtle, "wolvesz"));
             new WalkBlocks(_blocks).setSolid("turltes", true);
             new TraitBlocks(_agents).setHierarchical("wolvse", true);
+            new StructureBlocks(_collisions).show("wolfes", true);
             assertFalse(warn("no agent is of the breed \"wovles\"; is \"wolves\" meant?"));
             assertFalse(warn("no agent is of the breed \"wolvesz\"; is \"wolves\" meant?"));
             assertFalse(warn("no agent is of the breed \"turltes\"; is \"turtles\" meant?"));
             assertFalse(warn("no agent is of the breed \"wolvse\"; is \"wolves\" meant?"));
+            assertFalse(warn("no agent is of the breed \"wolfes\"; is \"wolves\" meant?"));
         }
 
         [Test]
@@ -192,11 +194,31 @@ package starlogo.blocks
         }
 
         [Test]
+        public function theBreedHasTheTraitNotWhoAsks():void
+        {
+            assertEquals("no agent of the breed is there", 0, _blocks.countWith(_turtle, "dogs", "hunger", 0));
+            assertNull(_blocks.nearestWith(_turtle, "dogs", "hunger", 0));
+            var dog:AskingAgent = new AskingAgent("sphere", "dogs", _blocks);
+            _agents.push(dog);
+            _blocks.update();
+            assertEquals(1, _blocks.countWith(_turtle, "dogs", "hunger", 10));
+            assertEquals(dog, _blocks.nearestWith(_turtle, "dogs", "hunger", 10));
+            assertEquals(dog, _blocks.nearestWith(_turtle, Collision.ANY_BREED, "hunger", 10));
+            var message:RegExp = /with" does not know the trait "hunger": no agent of the breed "wolves" has it\. Check/;
+            assertThrows(BlockError, message, _blocks.countWith, dog, "wolves", "hunger", 10);
+            assertThrows(BlockError, message, _blocks.nearestWith, dog, "wolves", "hunger", null);
+            assertThrows(BlockError, /"count with" does not know the trait "hungre": no agent has it\. Check/, _blocks.countWith, dog, Collision.ANY_BREED, "hungre", 10);
+        }
+
+        [Test]
         public function agentsWithoutATraitDoNotMatch():void
         {
-            var asker:AskingAgent = new AskingAgent("sphere", "dogs", _blocks);
-            assertEquals(0, _blocks.countWith(asker, "wolves", "hunger", 10));
-            assertNull(_blocks.nearestWith(asker, "wolves", "hunger", null));
+            var dog:AskingAgent = new AskingAgent("sphere", "wolves", _blocks);
+            _agents.push(dog);
+            _blocks.update();
+            assertEquals(1, _blocks.countWith(_turtle, "wolves", "hunger", 10));
+            assertEquals(0, _blocks.countWith(_turtle, "wolves", "hunger", undefined));
+            assertNull(_blocks.nearestWith(_turtle, "wolves", "hunger", null));
         }
 
         [Test]
@@ -221,7 +243,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"count within" needs the name of a breed/, _blocks.countWithin, _turtle, "", 1);
             assertThrows(BlockError, /"count within" needs a distance of 0 or more, but got -1/, _blocks.countWithin, _turtle, "wolves", -1);
             assertThrows(BlockError, /"nearest within" needs a distance of 0 or more, but got NaN/, _blocks.nearestWithin, _turtle, "wolves", NaN);
-            assertThrows(BlockError, /"count with" does not know the trait "colour"\. Check how it is spelled\. An agent has breed, shape, size, /, _blocks.countWith, _turtle, "wolves", "colour", 1);
+            assertThrows(BlockError, /"count with" does not know the trait "colour": no agent of the breed "wolves" has it\. Check how it is spelled\. An agent has breed, shape, size, /, _blocks.countWith, _turtle, "wolves", "colour", 1);
             assertThrows(BlockError, /"nearest with" does not know the trait nothing/, _blocks.nearestWith, _turtle, "wolves", null, 1);
             assertThrows(BlockError, /"touching\?" needs an agent or a breed, but got nothing/, _blocks.isTouching, _turtle, null);
             assertThrows(BlockError, /"can see\?" needs an agent, but got nothing/, _blocks.canSee, null, _turtle);

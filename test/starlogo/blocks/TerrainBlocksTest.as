@@ -133,8 +133,11 @@ package starlogo.blocks
         public function stopsBouncesAndWrapsAtTheEdges():void
         {
             _detection.update();
-            assertNull("there are none", _blocks.edgeTouched(_turtle));
-            _blocks.wrapAtEdge(_turtle);
+            for each (var block:Array in [["edge I touch", _blocks.edgeTouched], ["stop at the edge", _blocks.stopAtEdge], ["bounce off the edge", _blocks.bounceOffEdge],
+                        ["wrap at the edge", _blocks.wrapAtEdge]])
+            {
+                assertThrows(BlockError, new RegExp("\"" + block[0] + "\" needs edges of the world, but this game has none\\."), block[1], _turtle);
+            }
             _collisions.collision.bounds = new WorldBounds(-5, -5, -1, 5, 5, 9);
             assertNull(_blocks.edgeTouched(_turtle));
             var places:Array = [[4.8, 0, 1], [-4.8, 0, 1], [0, 4.8, 1], [0, -4.8, 1], [0, 0, 8.5], [0, 0, -1.2]];
@@ -206,7 +209,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"wrap at the edge" needs an agent/, _blocks.wrapAtEdge, null);
             assertThrows(BlockError, /"touching edge\?" needs an agent/, _blocks.isTouchingEdge, null);
             assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be .*, not NaN\.$/, _blocks.buildWall, _turtle, NaN);
-            assertThrows(BlockError, /"build mound" cannot build here: a mound's place and height must be .*: Infinity\.$/, _blocks.buildMound, _turtle, 1, Infinity);
+            assertThrows(BlockError, /"build mound" cannot build here: a mound's place and height must be .*, not Infinity\.$/, _blocks.buildMound, _turtle, 1, Infinity);
             assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be more than 0, not 0\.$/, _blocks.buildMound, _turtle, 0, 1);
             assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be .*: NaN\.$/, _blocks.buildMound, _turtle, NaN, 1);
             assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be a finite number between.*, not 2000000000\.$/, _blocks.buildWall, _turtle, 2e9);

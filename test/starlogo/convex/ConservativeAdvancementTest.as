@@ -40,6 +40,15 @@ package starlogo.convex
         }
 
         [Test]
+        public function roundingHidesNoTouchAtTheLatestTime():void
+        {
+            _motion.latestTime = 0.5 - 2e-16;
+            assertTrue("the step to 0.5 is later than that", _motion.latestTime < 0.5);
+            assertTrue(_step.advance(_motion));
+            assertEquals(_motion.latestTime, _motion.time);
+        }
+
+        [Test]
         public function shapesThatDoNotCloseNeverTouch():void
         {
             _step.speed = 0;

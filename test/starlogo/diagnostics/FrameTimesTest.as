@@ -14,6 +14,14 @@ package starlogo.diagnostics
     public class FrameTimesTest
     {
         [Test]
+        public function aTimeIsNotNegative():void
+        {
+            var times:FrameTimes = new FrameTimes();
+            assertThrows(RangeError, /milliseconds must be 0 or more, not -1/, times.add, -1);
+            assertEquals(0, times.frames);
+        }
+
+        [Test]
         public function meanMedianAndMost():void
         {
             var times:FrameTimes = new FrameTimes();

@@ -8,6 +8,7 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -202,6 +203,28 @@ package starlogo.intersection
                     assertNear(i + ": " + b + " and " + capsule, middle, along(frame[0]));
                 }
             }
+        }
+
+        /** The order of a ridge's ends does not matter, whichever of the two is given first. */
+        [Test]
+        public function thePointOfTwoRidgesOnALineIsInTheMiddleOfWhatIsShared():void
+        {
+            for each (var low:Hull in [wedge(0, 4, -1), wedge(4, 0, -1)])
+            {
+                for each (var high:Hull in [wedge(3, 9, 1), wedge(9, 3, 1)])
+                {
+                    StructurePairs.findContact(low, high, _displacement, _touch);
+                    assertPoint(low + " and " + high, 3.5, 0, 0);
+                    StructurePairs.findContact(high, low, _displacement, _touch);
+                    assertPoint(high + " and " + low, 3.5, 0, 0);
+                }
+            }
+        }
+
+        // A ridge along x, and below it or above it the rectangle where the wedge ends.
+        private static function wedge(from:Number, to:Number, z:Number):Hull
+        {
+            return new Hull(new <Number>[from, 0, 0, to, 0, 0, from, 1, z, to, 1, z, from, -1, z, to, -1, z]);
         }
 
         private function along(axis:Vector3D):Number

@@ -13,11 +13,18 @@ package starlogo.search
     import starlogo.models.BuiltInModel;
     import starlogo.queries.LevelChoice;
     import support.assertThrows;
+    import support.create;
     import support.landOf;
 
     /** The structure that stands for a model has to be there, of a kind that is collided, and within the world. */
     public class BaseShapeChoiceTest
     {
+        [Test]
+        public function aColliderNeedsAChoice():void
+        {
+            assertThrows(ArgumentError, /choice must (not be|be a BaseShapeChoice, not) null/, create, Collider, null);
+        }
+
         [Test]
         public function aStructureOutsideTheWorldIsRefused():void
         {

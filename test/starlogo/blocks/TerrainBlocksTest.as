@@ -211,7 +211,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be .*, not NaN\.$/, _blocks.buildWall, _turtle, NaN);
             assertThrows(BlockError, /"build mound" cannot build here: a mound's place and height must be .*, not Infinity\.$/, _blocks.buildMound, _turtle, 1, Infinity);
             assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be more than 0, not 0\.$/, _blocks.buildMound, _turtle, 0, 1);
-            assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be .*: NaN\.$/, _blocks.buildMound, _turtle, NaN, 1);
+            assertThrows(BlockError, /"build mound" cannot build here: a mound's width must be .*, not NaN\.$/, _blocks.buildMound, _turtle, NaN, 1);
             assertThrows(BlockError, /"build wall" cannot build here: a terrain's height must be a finite number between.*, not 2000000000\.$/, _blocks.buildWall, _turtle, 2e9);
             _turtle.x = 6;
             assertThrows(BlockError, /"build wall" cannot build here: a wall at \(6, 0\) is outside of the terrain\.$/, _blocks.buildWall, _turtle, 1);

@@ -410,6 +410,8 @@ package starlogo.search.table
                 var row:int = listed.rows.values[_reshaped.values[i]];
                 var before:ModelShape = shapes[row];
                 var next:ModelShape = _newShapes[i];
+                // a replaced model must not be kept
+                _newShapes[i] = null;
                 if (before == null || next == null || next.modelName != before.modelName)
                 {
                     _startRevisions[row] = NO_START;

@@ -71,6 +71,28 @@ package starlogo.queries
             }
         }
 
+        [Test]
+        public function aRayThatBeginsOnASurfaceMeetsItThere():void
+        {
+            var collider:Collider = EachCollider.make("triangles", sGreatLand);
+            var box:Agent = new Agent(BuiltInModel.cube().name);
+            box.size = 4;
+            box.moveTo(3, -2, 1);
+            var queries:AgentQueries = new AgentQueries(collider);
+            queries.update(new <Agent>[box]);
+            var origin:Vector3D = new Vector3D();
+            for (var i:int = 0; i < Effort.choose(3000, 100000); i++)
+            {
+                // a point of a face, of an edge or a corner, in numbers that are not rounded
+                var coordinates:Array = [_random.integer(-2, 2), _random.integer(-2, 2), _random.integer(-2, 2)];
+                coordinates[i % 3] = _random.pick([-2, 2]);
+                origin.setTo(3 + coordinates[0], coordinates[1] - 2, 3 + coordinates[2]);
+                var direction:Vector3D = new Vector3D(_random.integer(-3, 3), _random.integer(-3, 3), 0.5 + _random.integer(-3, 3));
+                var hit:RayHit = queries.cast(origin, direction);
+                assertTrue("from " + origin + " along " + direction, hit != null && hit.distance < 1e-14);
+            }
+        }
+
         [Test(timeout="3600000")]
         public function agentsAreMetAsALoopFinds():void
         {
@@ -371,8 +393,8 @@ package starlogo.queries
             {
                 assertThrows(ArgumentError, /origin .*null/, question, null, up);
                 assertThrows(ArgumentError, /null/, question, zero, null);
-                assertThrows(RangeError, /origin( must be .*finite.*:|\.y must be a finite number, not) NaN/, question, new Vector3D(0, NaN, 0), up);
-                assertThrows(RangeError, /origin( must be .*finite.*:|\.z must be a finite number, not) -Infinity/, question, new Vector3D(0, 0, -Infinity), up);
+                assertThrows(RangeError, /origin( must be .*finite.*, not|\.y must be a finite number, not) NaN/, question, new Vector3D(0, NaN, 0), up);
+                assertThrows(RangeError, /origin( must be .*finite.*, not|\.z must be a finite number, not) -Infinity/, question, new Vector3D(0, 0, -Infinity), up);
                 assertThrows(ArgumentError, /direction/, question, zero, zero);
                 assertThrows(ArgumentError, /direction/, question, zero, new Vector3D(0, NaN, 1));
                 assertThrows(RangeError, /maxDistance must be 0 or more, not -1/, question, zero, up, -1);

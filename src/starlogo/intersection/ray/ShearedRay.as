@@ -56,6 +56,7 @@ package starlogo.intersection.ray
         // The crossing that is tried.
         private var _crossing:RayCrossing = new RayCrossing();
         private var _plane:TrianglePlane = new TrianglePlane();
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
         /**
          * Sets the ray. There is no first crossing yet.
@@ -210,7 +211,7 @@ package starlogo.intersection.ray
                 return false;
             }
             // the comparison is false for NaN too
-            if (!(out.distance >= _ray.from))
+            if (!(out.distance >= _ray.from || beginsOn(points, a, b, c, out)))
             {
                 return false;
             }
@@ -229,6 +230,22 @@ package starlogo.intersection.ray
             return true;
         }
 
+        // Whether the ray begins on the plane of a triangle up to the tolerance, so that only rounding puts the crossing before the ray. It is then where
+        // the ray begins. The triangle is not seen edge on.
+        private function beginsOn(points:Vector.<Number>, a:int, b:int, c:int, out:RayCrossing):Boolean
+        {
+            for (var i:int = 0; i < 3; i++)
+            {
+                _corners[i] = points[int(a + i)];
+                _corners[int(3 + i)] = points[int(b + i)];
+                _corners[int(6 + i)] = points[int(c + i)];
+            }
+            _plane.setTriangle(_corners, 0);
+            var gap:Number = (_ray.from - out.distance) * _plane.normal.dotProduct(_ray.direction);
+            out.distance = _ray.from;
+            return !_plane.isFlat && Math.abs(gap) <= Tolerances.SURFACES * _radius;
+        }
+
         // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a tolerance. Returns whether there is such a place
         // where the ray begins or later.
         private function passEdges(points:Vector.<Number>, a:int, b:int, c:int, tolerance:Number, out:RayCrossing):Boolean
@@ -239,7 +256,7 @@ package starlogo.intersection.ray
             passEdge(points, b, c, tolerance, out);
             passEdge(points, c, a, tolerance, out);
             out.distance = Math.max(out.distance, _ray.from);
-            return out.end >= _ray.from;
+            return out.end >= _ray.from - tolerance;
         }
 
         // Widens the crossing by the place where the ray passes an edge, if that is within a tolerance.

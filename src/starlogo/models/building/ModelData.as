@@ -11,7 +11,7 @@ package starlogo.models.building
     use namespace engine;
 
     /**
-     * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the reader of a format
+     * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the ModelReader of a format
      * fill it. A ModelBuilder brings the vertices to the model's place and scale. Then the Model keeps it.
      *
      * @private
@@ -47,9 +47,6 @@ package starlogo.models.building
 
         /** Whether the vertices and the source are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
         public var isInModelSpace:Boolean = false;
-
-        /** The share of the file that is read so far, from 0 to 1. The reader never makes it less. */
-        public var readProgress:Number = 0;
 
         /** The cooked file with the results for the model; null for none. */
         public var cooked:CookedFile = null;

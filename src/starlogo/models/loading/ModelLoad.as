@@ -187,7 +187,7 @@ package starlogo.models.loading
             var file:FileDownload = startDownload(address);
             call(function():void
                 {
-                    _maker = CookedReader.building(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _transformUrl != null));
+                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _transformUrl != null)).building();
                 }).repeat(readCooked);
         }
 
@@ -245,7 +245,7 @@ package starlogo.models.loading
 
         private function read(file:ModelFile):void
         {
-            addMakeSteps(ModelFormat.building(file, _upAxis, _scaling, fetchSibling));
+            addMakeSteps(ModelFormat.readerOf(file, _upAxis, _scaling, fetchSibling).building());
         }
 
         // Starts to fetch a file that the model's file names: see GltfFile. The maker's next step is done when it has come.

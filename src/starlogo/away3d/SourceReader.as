@@ -9,7 +9,6 @@ package starlogo.away3d
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
@@ -33,7 +32,7 @@ package starlogo.away3d
         /** The parameters are those of Away3dModel. */
         public function SourceReader(name:String, object:Object)
         {
-            super(ModelData.forFile(name, "z", Model.FOOTPRINT));
+            super(name, "z", Model.FOOTPRINT);
             begin(function():Steps
                 {
                     addSource(object);

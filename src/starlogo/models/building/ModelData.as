@@ -57,26 +57,6 @@ package starlogo.models.building
             this.name = name || "";
         }
 
-        /**
-         * The data of a file that is not read yet.
-         *
-         * @param name the model's name
-         * @param upAxis "x", "y", "z" or a ModelTransform; null for formatAxis
-         * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param formatAxis the axis that points up by the rules of the format; null if it has no such rule
-         * @throws ModelError if the up axis is none of these
-         */
-        public static function forFile(name:String, upAxis:Object, scaling:String, formatAxis:String = null):ModelData
-        {
-            upAxis = upAxis == null ? formatAxis : upAxis;
-            requireUpAxis(name, upAxis);
-            var data:ModelData = new ModelData(name);
-            data.scaling = scaling;
-            data.transform = upAxis as ModelTransform;
-            data.upAxis = data.transform == null ? String(upAxis) : "z";
-            return data;
-        }
-
         /** Throws a ModelError if a scaling is none of Model's. */
         public static function requireScaling(name:String, scaling:String):void
         {

@@ -5,7 +5,6 @@ package starlogo.models.collada
     import starlogo.geometry.AffineTransform;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
@@ -55,7 +54,7 @@ package starlogo.models.collada
          */
         public function ColladaScene(file:ModelFile, upAxis:Object, scaling:String)
         {
-            super(ModelData.forFile(file.name, upAxis, scaling, "y"), new FileBudget(file.name, file.requireText().length));
+            super(new FileBudget(file.name, file.requireText().length), upAxis, scaling);
             xml = new XmlReader(file.requireText(), budget);
             add(xml).call(function():void
                 {

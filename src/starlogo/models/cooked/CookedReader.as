@@ -9,7 +9,6 @@ package starlogo.models.cooked
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
@@ -50,7 +49,7 @@ package starlogo.models.cooked
          */
         public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
         {
-            super(new ModelData(name));
+            super(name);
             var file:CookedFile = new CookedFile(bytes);
             add(file).begin(function():Steps
                 {

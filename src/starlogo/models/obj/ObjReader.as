@@ -1,6 +1,5 @@
 package starlogo.models.obj
 {
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
@@ -35,7 +34,7 @@ package starlogo.models.obj
         /** The other parameters are those of ObjModel. */
         public function ObjReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            super(ModelData.forFile(file.name, upAxis, scaling));
+            super(file.name, upAxis, scaling);
             var text:String = file.requireText();
             refuseModelIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
             refuseModelIf(file.beginsWithTag, file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");

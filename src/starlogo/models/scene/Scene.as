@@ -35,12 +35,13 @@ package starlogo.models.scene
         private var _transforms:Vector.<AffineTransform> = new Vector.<AffineTransform>();
 
         /**
-         * @param data the model at rest; has the name, and the up axis when the scene is read
          * @param budget what the file may have and cost
+         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for the file's
+         * @param scaling as for Model's constructor; null if the vertices are not normalised
          */
-        public function Scene(data:ModelData, budget:FileBudget)
+        public function Scene(budget:FileBudget, upAxis:Object, scaling:String)
         {
-            super(data);
+            super(budget.modelName, upAxis, scaling, "y");
             this.budget = budget;
         }
 

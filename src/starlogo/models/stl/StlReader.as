@@ -4,7 +4,6 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
@@ -39,7 +38,7 @@ package starlogo.models.stl
          */
         public function StlReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            super(ModelData.forFile(file.name, upAxis, scaling));
+            super(file.name, upAxis, scaling);
             if (file.bytes != null && isBinary(file.bytes))
             {
                 addBinary(file);

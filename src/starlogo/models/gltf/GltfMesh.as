@@ -19,7 +19,6 @@ package starlogo.models.gltf
 
         // modes of primitives; those of points and lines are less
         private static const TRIANGLES:int = 4;
-        private static const STRIP:int = 5;
         private static const FAN:int = 6;
 
         /** Whether vertices are moved by a skin or by morph targets. */

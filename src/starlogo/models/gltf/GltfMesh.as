@@ -17,7 +17,7 @@ package starlogo.models.gltf
         private static const VERTICES_PER_STEP:int = 2000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
-        // modes of primitives; those of points and lines are less
+        // modes of primitives: strips have the one between these, and points and lines have lower ones
         private static const TRIANGLES:int = 4;
         private static const FAN:int = 6;
 

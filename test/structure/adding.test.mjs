@@ -102,9 +102,9 @@ test('every question stands in the files of docs/adding.md, "A question"', () =>
 	assertNoneMissing(left);
 });
 
-/** The readers of the formats: what fills a ModelData, or a scene whose meshes are added to it. */
+/** The readers of the formats: a ModelReader, or a scene, which is one. */
 function readersOf() {
-	const isReader = /\bnew ModelBuilder\(data, new \w+\(|\bclass \w+ extends Scene\b/;
+	const isReader = /\bclass \w+Reader extends ModelReader\b|\bclass \w+ extends Scene\b/;
 	const readers = sourcesBelow('src/starlogo/models').filter((file) => isReader.test(codeOf(read(file)))).map(simpleName);
 	for (const known of ['ColladaScene', 'CookedReader', 'GltfScene', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
 	return readers;

@@ -32,7 +32,7 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(name, null, null, null, (object as ModelBuilder || SourceReader.building(name, object)).build());
+            super(name, null, null, null, (object as ModelBuilder || new SourceReader(name, object).building()).build());
         }
 
         /**

@@ -26,7 +26,7 @@ package starlogo.away3d
          */
         public function Away3dModelReader(name:String, object:Object)
         {
-            _builder = SourceReader.building(name, object);
+            _builder = new SourceReader(name, object).building();
         }
 
         /** @inheritDoc */

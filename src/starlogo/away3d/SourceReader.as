@@ -9,8 +9,7 @@ package starlogo.away3d
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
-    import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -19,7 +18,7 @@ package starlogo.away3d
      * Reads the source of an Away3dModel, in steps of about a millisecond. Only the vertices that triangles use become points of the model, because
      * others are not drawn. If the whole source has no triangles, all vertices become points.
      */
-    internal final class SourceReader extends StepSequence
+    internal final class SourceReader extends ModelReader
     {
         // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
@@ -30,24 +29,15 @@ package starlogo.away3d
         private var _parts:Vector.<ISubGeometry> = new Vector.<ISubGeometry>();
         private var _transforms:Vector.<AffineTransform> = new Vector.<AffineTransform>();
 
-        private var _data:ModelData;
-
-        /** @param object as for Away3dModel @param data takes what is read */
-        public function SourceReader(object:Object, data:ModelData)
+        /** The parameters are those of Away3dModel. */
+        public function SourceReader(name:String, object:Object)
         {
-            _data = data;
+            super(name, "z", Model.FOOTPRINT);
             begin(function():Steps
                 {
                     addSource(object);
                     return readingParts();
                 });
-        }
-
-        /** The work that makes the model of a source. The parameters are those of Away3dModel. */
-        internal static function building(name:String, object:Object):ModelBuilder
-        {
-            var data:ModelData = ModelData.forFile(name, "z", Model.FOOTPRINT);
-            return new ModelBuilder(data, new SourceReader(object, data));
         }
 
         private function readingParts():Steps
@@ -60,7 +50,7 @@ package starlogo.away3d
                 hasTriangles ||= part.numTriangles > 0;
             }
             var points:PointTable = new PointTable(vertexCount);
-            _data.vertices = points.coordinates;
+            data.vertices = points.coordinates;
             return new StepSequence().beginEach(_parts.length, function(index:int):Steps
                 {
                     return readingPart(index, points, hasTriangles);
@@ -77,9 +67,9 @@ package starlogo.away3d
             var indices:Vector.<uint> = part.indexData || new Vector.<uint>();
             var vertexCount:int = part.numVertices;
             var count:int = hasTriangles ? 3 * part.numTriangles : vertexCount;
-            refuseModelIf(vertexCount > 0 && part.vertexOffset + (vertexCount - 1) * part.vertexStride + 3 > numbers.length, _data.name,
+            refuseModelIf(vertexCount > 0 && part.vertexOffset + (vertexCount - 1) * part.vertexStride + 3 > numbers.length, data.name,
                     "a sub-geometry has " + vertexCount + " vertices, but only " + numbers.length + " numbers for them");
-            refuseModelIf(hasTriangles && indices.length < count, _data.name,
+            refuseModelIf(hasTriangles && indices.length < count, data.name,
                     "a sub-geometry has " + part.numTriangles + " triangles, but only " + indices.length + " indices");
             // the index of each vertex's point, plus 1; 0 before the vertex is read
             var pointOf:Vector.<int> = new Vector.<int>(vertexCount);
@@ -93,7 +83,7 @@ package starlogo.away3d
                         var vertex:uint = hasTriangles ? indices[corner] : i;
                         if (vertex >= vertexCount)
                         {
-                            throw new ModelError(_data.name, "", "triangle " + int(i / 3) + " of a sub-geometry names vertex " + vertex + ", the last one is " + (vertexCount - 1));
+                            throw new ModelError(data.name, "", "triangle " + int(i / 3) + " of a sub-geometry names vertex " + vertex + ", the last one is " + (vertexCount - 1));
                         }
                         if (pointOf[vertex] == 0)
                         {
@@ -106,10 +96,10 @@ package starlogo.away3d
                         }
                         if (hasTriangles)
                         {
-                            _data.triangles.push(pointOf[vertex] - 1);
+                            data.triangles.push(pointOf[vertex] - 1);
                         }
                     }
-                    _data.readProgress = (index + end / Math.max(1, count)) / _parts.length;
+                    progress = (index + end / Math.max(1, count)) / _parts.length;
                 });
         }
 
@@ -136,7 +126,7 @@ package starlogo.away3d
             }
             else
             {
-                throw new ModelError(_data.name, "", "expected an ObjectContainer3D, a Geometry, an ISubGeometry or a list of them, not "
+                throw new ModelError(data.name, "", "expected an ObjectContainer3D, a Geometry, an ISubGeometry or a list of them, not "
                         + (source == null ? "null" : getQualifiedClassName(source).replace("::", ".")));
             }
         }

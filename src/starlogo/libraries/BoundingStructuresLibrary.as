@@ -131,11 +131,12 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
-            var model:Model = models.entryOf(name).model;
+            var entry:ModelEntry = models.entryOf(name);
+            var model:Model = entry.model;
             var needsCopy:Boolean = vertices != null && !keepHulls && (model == null || vertices != model.vertices);
             var structures:ModelStructures = new ModelStructures(needsCopy ? vertices.concat() : vertices, hullFitter, keepAll);
             finish(finding(name, structures));
-            models.entryToWrite(name).replace(model, structures, models.entryOf(name).tree);
+            models.entryToWrite(name).replace(model, structures, entry.tree);
         }
 
         /** Whether the library has structures for a shape. */
@@ -151,7 +152,7 @@ package starlogo.libraries
          */
         public function tightestFit(name:String):BoundingStructure
         {
-            return find(name).tightest;
+            return structuresOf(name).tightest;
         }
 
         /**
@@ -161,7 +162,7 @@ package starlogo.libraries
          */
         public function sphere(name:String):Sphere
         {
-            return Sphere(kept(name, BoundingStructure.SPHERE));
+            return Sphere(keptOf(name, BoundingStructure.SPHERE));
         }
 
         /**
@@ -171,7 +172,7 @@ package starlogo.libraries
          */
         public function box(name:String):Box
         {
-            return Box(kept(name, BoundingStructure.BOX));
+            return Box(keptOf(name, BoundingStructure.BOX));
         }
 
         /**
@@ -181,7 +182,7 @@ package starlogo.libraries
          */
         public function capsule(name:String):Capsule
         {
-            return Capsule(kept(name, BoundingStructure.CAPSULE));
+            return Capsule(keptOf(name, BoundingStructure.CAPSULE));
         }
 
         /**
@@ -192,7 +193,7 @@ package starlogo.libraries
          */
         public function hull(name:String):BoundingStructure
         {
-            var found:BoundingStructure = find(name).hullOrSphere;
+            var found:BoundingStructure = structuresOf(name).hullOrSphere;
             if (found == null)
             {
                 throw ModelTable.errorOf(name, "it has no hull yet: set loadHulls (keepHulls) before the model is added");
@@ -226,7 +227,7 @@ package starlogo.libraries
          */
         engine function findOrFit(name:String, kind:int):BoundingStructure
         {
-            var structures:ModelStructures = find(name);
+            var structures:ModelStructures = structuresOf(name);
             if (kind == BoundingStructure.HULL && structures.hullOrSphere == null)
             {
                 addHull(name, structures);
@@ -280,7 +281,7 @@ package starlogo.libraries
                     }
                     catch (error:Error)
                     {
-                        throw named(name, error);
+                        throw withName(name, error);
                     }
                     return false;
                 });
@@ -313,7 +314,7 @@ package starlogo.libraries
             }
             catch (error:Error)
             {
-                throw named(name, error);
+                throw withName(name, error);
             }
         }
 
@@ -326,7 +327,7 @@ package starlogo.libraries
         }
 
         // The error of a fitter, with the shape's name. The error may be the fitter's own, so it is not changed.
-        private static function named(name:String, error:Error):Error
+        private static function withName(name:String, error:Error):Error
         {
             return error is ArgumentError ? ModelTable.errorOf(name, error.message)
                 : (error is RangeError ? new RangeError(ModelTable.problemOf(name, error.message)) : error);
@@ -375,7 +376,7 @@ package starlogo.libraries
             return -1;
         }
 
-        private function find(name:String):ModelStructures
+        private function structuresOf(name:String):ModelStructures
         {
             var structures:ModelStructures = models.entryOf(name).structures;
             if (structures == null)
@@ -385,9 +386,9 @@ package starlogo.libraries
             return structures;
         }
 
-        private function kept(name:String, kind:int):BoundingStructure
+        private function keptOf(name:String, kind:int):BoundingStructure
         {
-            var structures:ModelStructures = find(name);
+            var structures:ModelStructures = structuresOf(name);
             if (!structures.keepsAll || structures.smallest[kind] == null)
             {
                 throw ModelTable.errorOf(name, "it shows no " + BoundingStructure.NAMES[kind] + ": set loadAllBoundingStructures (keepAll) before the model is added, "

@@ -58,7 +58,7 @@ package starlogo.libraries
                 takeFrom(model.data.cooked);
             }
             // made now, so that later changes of the fitters' settings do not count
-            var fitting:Steps = hasStructures ? null : structuresLibrary.finding(model.name, structures);
+            var fitting:Steps = areStructuresReady ? null : structuresLibrary.finding(model.name, structures);
             if (store == null || isComplete)
             {
                 add(computing(fitting));
@@ -95,7 +95,7 @@ package starlogo.libraries
         }
 
         // Whether the structures are found, or none are wanted.
-        private function get hasStructures():Boolean
+        private function get areStructuresReady():Boolean
         {
             return structures == null || structures.tightest != null;
         }
@@ -103,7 +103,7 @@ package starlogo.libraries
         // Whether all data that is wanted is there, or stored.
         private function get isComplete():Boolean
         {
-            return hasStructures && (tree == null || tree.restoring != null)
+            return areStructuresReady && (tree == null || tree.restoring != null)
                 && (!_settings.preparesExact || _model.triangles == null || tree.surface != null);
         }
 
@@ -115,7 +115,7 @@ package starlogo.libraries
             var storesAll:Boolean = false;
             add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
-                    stored = store.load(geometryKey, _settings);
+                    stored = store.readFile(geometryKey, _settings);
                     return stored;
                 }).begin(function():Steps
                 {
@@ -135,7 +135,7 @@ package starlogo.libraries
                     var bytes:ByteArray = bytesOf(geometryKey, null);
                     if (stored.isChangedBy(bytes))
                     {
-                        store.save(geometryKey, _settings, bytes);
+                        store.writeFile(geometryKey, _settings, bytes);
                     }
                 });
         }
@@ -144,7 +144,7 @@ package starlogo.libraries
         private function computing(fitting:Steps):Steps
         {
             var work:StepSequence = new StepSequence();
-            if (!hasStructures)
+            if (!areStructuresReady)
             {
                 work.add(fitting);
             }
@@ -158,7 +158,7 @@ package starlogo.libraries
         // Takes the data that is missing from a file of the model.
         private function takeFrom(file:CookedFile):void
         {
-            if (!hasStructures)
+            if (!areStructuresReady)
             {
                 takeStructures(file);
             }
@@ -181,17 +181,17 @@ package starlogo.libraries
             var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _model.vertices);
             var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _model.vertices);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
-            if (found != null && (hulls != null || !_settings.keepsHull))
+            if (found != null && (hulls != null || !_settings.storesHull))
             {
                 structures.setAll(found, hull);
             }
         }
 
-        // The bytes of a file with the data. It has the surface if that is prepared. @param model the bytes of the model; null for none
-        private function bytesOf(modelKey:Fingerprint, model:ByteArray):ByteArray
+        // The bytes of a file with the data. It has the surface if that is prepared. @param modelBytes those of the model; null for none
+        private function bytesOf(modelKey:Fingerprint, modelBytes:ByteArray):ByteArray
         {
             var sections:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTION_COUNT, true);
-            sections[CookedFile.MODEL] = model;
+            sections[CookedFile.MODEL] = modelBytes;
             if (structures != null)
             {
                 sections[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);

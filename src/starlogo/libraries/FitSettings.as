@@ -51,7 +51,7 @@ package starlogo.libraries
         }
 
         /** @private Whether a hull is wanted, and can be stored. */
-        engine function get keepsHull():Boolean
+        engine function get storesHull():Boolean
         {
             return _keys[CookedFile.HULL] != null;
         }
@@ -60,7 +60,7 @@ package starlogo.libraries
         public function toString():String
         {
             var all:Array = [_keys[CookedFile.STRUCTURES], _keys[CookedFile.HIERARCHY], preparesExact];
-            return fingerprintOf((keepsHull ? all.concat(_keys[CookedFile.HULL]) : all).join()).toString();
+            return fingerprintOf((storesHull ? all.concat(_keys[CookedFile.HULL]) : all).join()).toString();
         }
 
         /** @private A section of a cooked file; null if it is empty, has other settings, or is not wanted. */

@@ -101,7 +101,7 @@ package starlogo.libraries
             requireGiven("the settings", settings);
             var geometryKey:Fingerprint = geometryKeyOf(model);
             bytes.position = 0;
-            return isEntryOf(geometryKey, bytes) && save(geometryKey, settings, bytes);
+            return isEntryOf(geometryKey, bytes) && writeFile(geometryKey, settings, bytes);
         }
 
         /** Removes all entries. */
@@ -120,7 +120,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function load(geometryKey:Fingerprint, settings:FitSettings):CookedFile
+        engine function readFile(geometryKey:Fingerprint, settings:FitSettings):CookedFile
         {
             return new CookedFile(readAsUsed(geometryKey, settings));
         }
@@ -149,7 +149,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function save(geometryKey:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
+        engine function writeFile(geometryKey:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
             var name:String = nameOf(geometryKey, settings);
             var others:Array = linesWithout(name);

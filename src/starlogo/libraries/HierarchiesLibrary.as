@@ -104,12 +104,13 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, problem);
             }
             ModelTable.requireCoordinates(name, vertices);
-            var model:Model = models.entryOf(name).model;
+            var entry:ModelEntry = models.entryOf(name);
+            var model:Model = entry.model;
             var keptVertices:Vector.<Number> = model != null && vertices == model.vertices ? vertices : vertices.concat();
             var keptTriangles:Vector.<uint> = model != null && triangles == model.triangles ? triangles : (hasTriangles ? triangles.concat() : null);
             var tree:ModelTree = newTree(keptVertices, keptTriangles);
             tree.finishBuilding();
-            models.entryToWrite(name).replace(model, models.entryOf(name).structures, tree);
+            models.entryToWrite(name).replace(model, entry.structures, tree);
         }
 
         /** Whether the library has a hierarchy for a shape. */

@@ -3,7 +3,6 @@ package starlogo.models
     import flash.utils.ByteArray;
     import starlogo.models.collada.ColladaScene;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.scene.Scene;
 
     /**
      * A model from a COLLADA document, version 1.4 or 1.5.
@@ -43,7 +42,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, Scene.building(new ColladaScene(new ModelFile(name, null, text), upAxis, scaling)).build());
+            super(name, null, null, null, new ColladaScene(new ModelFile(name, null, text), upAxis, scaling).building().build());
         }
 
         /**

@@ -20,7 +20,7 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(name, null, null, null, CookedReader.building(name, bytes).build());
+            super(name, null, null, null, new CookedReader(name, bytes).building().build());
         }
 
         /**

@@ -3,7 +3,6 @@ package starlogo.models
     import flash.utils.ByteArray;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfScene;
-    import starlogo.models.scene.Scene;
 
     /**
      * A model from a glTF 2.0 file, binary (.glb) or JSON (.gltf).
@@ -31,7 +30,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(name, null, null, null, Scene.building(new GltfScene(GltfFile.read(name, bytes, buffers), upAxis, scaling)).build());
+            super(name, null, null, null, new GltfScene(GltfFile.read(name, bytes, buffers), upAxis, scaling).building().build());
         }
 
         /**

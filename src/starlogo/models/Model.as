@@ -1,5 +1,5 @@
-// This room has models, and what reads them from files. The reader of each format fills a ModelData, and then a ModelBuilder brings the vertices to their
-// place and scale. building/ has these two; files/, text/ and polygons/ serve the readers. A COLLADA or glTF file is a Scene of nodes and meshes (scene/),
+// This room has models, and what reads them from files. The ModelReader of each format fills a ModelData, and then a ModelBuilder brings the vertices to
+// their place and scale. building/ has these three; files/, text/ and polygons/ serve the readers. A COLLADA or glTF file is a Scene of nodes and meshes (scene/),
 // which animation/ moves. cooked/ is the engine's own format: CookedFile is the whole file; CookedReader and CookedWriter have the model's
 // section; libraries/cooked and CollisionDataBuilder have the others. A ModelLoader does the same in steps while a game runs. Read this file first, then
 // building/ModelBuilder, obj/ObjReader, scene/Scene, ModelLoader, loading/ModelLoad.

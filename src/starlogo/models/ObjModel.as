@@ -32,7 +32,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, ObjReader.building(new ModelFile(name, null, text), upAxis, scaling).build());
+            super(name, null, null, null, new ObjReader(new ModelFile(name, null, text), upAxis, scaling).building().build());
         }
 
         /**

@@ -20,7 +20,7 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, StlReader.building(new ModelFile(name, bytes), upAxis, scaling).build());
+            super(name, null, null, null, new StlReader(new ModelFile(name, bytes), upAxis, scaling).building().build());
         }
 
         /**

@@ -122,10 +122,10 @@ package starlogo.libraries
                 names.push(i % 3 == 0 ? null : "n" + i);
             }
             var model:Model = new Model("striped", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], triangles);
-            var plain:int = stepsOf(CookedReader.building("striped", _greatLand.cook(model)));
+            var plain:int = stepsOf(new CookedReader("striped", _greatLand.cook(model)).building());
             model.setMaterials(numbers, names);
             var bytes:ByteArray = _greatLand.cook(model);
-            assertTrue(stepsOf(CookedReader.building("striped", bytes)) - plain > 20);
+            assertTrue(stepsOf(new CookedReader("striped", bytes).building()) - plain > 20);
             var read:Model = CookedModel.fromBytes("striped", bytes);
             assertEquals(numbers.join(), read.materials.join());
             assertEquals(names.join(), read.materialNames.join());

@@ -8,7 +8,6 @@ package starlogo.models
     import starlogo.models.files.ModelFile;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfScene;
-    import starlogo.models.scene.Scene;
     import starlogo.models.text.Decimal;
     import support.Failures;
     import support.Gltf;
@@ -193,7 +192,7 @@ package starlogo.models
                         fetched.push(uri);
                         return {bytes: file.binary, problem: null};
                     }), null, Model.FOOTPRINT);
-            assertEquals(12, Scene.building(scene).build().triangles.length);
+            assertEquals(12, scene.building().build().triangles.length);
             assertEquals("a.bin", fetched.join());
         }
 

@@ -18,7 +18,7 @@ package starlogo.models.building
     use namespace engine;
 
     /**
-     * The work that makes a model of data. If there is a file, the reader of its format comes first, and fills the data with what the file says. Then these
+     * The work that makes a model of data. If there is a file, its ModelReader comes first, and fills the data with what the file says. Then these
      * are checked, turned to z up, and turned, scaled and moved as Model says. A step takes about a millisecond, and throws a ModelError if the file is
      * wrong.
      *
@@ -35,6 +35,7 @@ package starlogo.models.building
         /** What the model is made of: complete when no step is left. The steps change it. Read only. */
         public var data:ModelData;
 
+        private var _reader:ModelReader;
         private var _model:Model = null;
 
         // the box around the vertices, as they are after the steps so far
@@ -42,14 +43,15 @@ package starlogo.models.building
 
         /**
          * @param data what the model is made of
-         * @param reading the work that fills the data; null if they are complete
+         * @param reader fills the data; null if they are complete
          */
-        public function ModelBuilder(data:ModelData, reading:Steps = null)
+        public function ModelBuilder(data:ModelData, reader:ModelReader = null)
         {
             this.data = data;
-            if (reading != null)
+            _reader = reader;
+            if (reader != null)
             {
-                add(reading);
+                add(reader);
             }
             call(checkData).call(addParts);
         }
@@ -90,7 +92,7 @@ package starlogo.models.building
         /** @inheritDoc Reading the file is nearly all of the work. */
         public function get progress():Number
         {
-            return data.readProgress;
+            return _reader == null ? 1 : _reader.progress;
         }
 
         /** The model, always the same one. Read it when no step is left. */

@@ -11,7 +11,7 @@ package starlogo.models.building
     use namespace engine;
 
     /**
-     * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the reader of a format
+     * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the ModelReader of a format
      * fill it. A ModelBuilder brings the vertices to the model's place and scale. Then the Model keeps it.
      *
      * @private
@@ -48,9 +48,6 @@ package starlogo.models.building
         /** Whether the vertices and the source are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
         public var isInModelSpace:Boolean = false;
 
-        /** The share of the file that is read so far, from 0 to 1. The reader never makes it less. */
-        public var readProgress:Number = 0;
-
         /** The cooked file with the results for the model; null for none. */
         public var cooked:CookedFile = null;
 
@@ -58,26 +55,6 @@ package starlogo.models.building
         public function ModelData(name:String)
         {
             this.name = name || "";
-        }
-
-        /**
-         * The data of a file that is not read yet.
-         *
-         * @param name the model's name
-         * @param upAxis "x", "y", "z" or a ModelTransform; null for formatAxis
-         * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param formatAxis the axis that points up by the rules of the format; null if it has no such rule
-         * @throws ModelError if the up axis is none of these
-         */
-        public static function forFile(name:String, upAxis:Object, scaling:String, formatAxis:String = null):ModelData
-        {
-            upAxis = upAxis == null ? formatAxis : upAxis;
-            requireUpAxis(name, upAxis);
-            var data:ModelData = new ModelData(name);
-            data.scaling = scaling;
-            data.transform = upAxis as ModelTransform;
-            data.upAxis = data.transform == null ? String(upAxis) : "z";
-            return data;
         }
 
         /** Throws a ModelError if a scaling is none of Model's. */

@@ -48,10 +48,11 @@ package starlogo.models.collada
         {
             element = source.requiredChild("technique_common").requiredChild("accessor");
             array = element.target("source", arrays, source);
-            add(TextWords.splitting(array.countedText(), function(all:Array):Steps
-                    {
-                        return readingEntries(all, points);
-                    }));
+            var all:Array = [];
+            add(TextWords.splitting(array.countedText(), all)).begin(function():Steps
+                {
+                    return readingEntries(all, points);
+                });
         }
 
         /**

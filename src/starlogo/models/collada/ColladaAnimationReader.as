@@ -109,8 +109,7 @@ package starlogo.models.collada
                 named = WITH_NAME.exec(sids.pop());
                 element = named == null ? null : animatedElement(channel, parts[1], sids.concat(named[1]));
             }
-            var isArray:Boolean = element != null && element.name == "float_array";
-            var size:int = isArray ? TextWords.of(element.countedText()).length : (element == null ? 0 : ColladaTransform.sizeOf(element.name));
+            var size:int = movableCount(element);
             if (size == 0)
             {
                 return null;
@@ -123,6 +122,13 @@ package starlogo.models.collada
             channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
             channel.refuseIf(sampler.componentCount != width, "its sampler has " + sampler.componentCount + " numbers for each key, but expected " + width);
             return new AnimationChannel(sampler, String(element.index), element.numbers(size), index);
+        }
+
+        // How many numbers of an element can move; 0 for null, and for an element of another kind.
+        private static function movableCount(element:ColladaElement):int
+        {
+            var isArray:Boolean = element != null && element.name == "float_array";
+            return isArray ? TextWords.of(element.countedText()).length : (element == null ? 0 : ColladaTransform.sizeOf(element.name));
         }
 
         // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or

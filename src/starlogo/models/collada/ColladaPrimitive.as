@@ -1,20 +1,16 @@
 package starlogo.models.collada
 {
-    import starlogo.data.keyOf;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.scene.SceneMesh;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
-     * Reads one primitive of a COLLADA geometry, in small steps, if it has a surface: triangles, polylist, polygons, tristrips or trifans. Splines,
-     * solids and lines count as having no surface.
+     * Reads one primitive with a surface of a COLLADA geometry, in small steps: triangles, polylist, polygons, tristrips or trifans.
      */
     internal final class ColladaPrimitive extends StepSequence
     {
         private static const CORNERS_PER_STEP:int = 1500;
-        private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
         private var _element:ColladaElement;
         private var _points:ColladaAccessor;
@@ -40,10 +36,10 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "triangles":
-                    add(TextWords.splitting(textOf(lists), readingTriangles));
+                    addIndexed(lists, readingTriangles);
                     break;
                 case "polylist":
-                    addPolylist(textOf(lists), textOf(element.childrenNamed("vcount").slice(0, 1)));
+                    addIndexed(lists, readingPolylist);
                     break;
                 case "polygons":
                     addLists(lists.concat(element.childrenNamed("ph")), "polygons", readPolygon);
@@ -53,65 +49,27 @@ package starlogo.models.collada
             }
         }
 
-        /** The mesh of a geometry. None of its steps is done yet. */
-        internal static function meshOf(geometry:ColladaElement):SceneMesh
-        {
-            var mesh:SceneMesh = new SceneMesh();
-            var element:ColladaElement = geometry.child("mesh") || geometry.child("convex_mesh");
-            var pointsOfSources:Object = {}; // by keyOf() the source's id
-            var hasSurface:Boolean = false;
-            for each (var child:ColladaElement in element == null ? null : element.children)
-            {
-                // some programs write empty primitives without inputs
-                if (NAMES.indexOf(child.name) >= 0 && child.attribute("count") != "0")
-                {
-                    hasSurface = true;
-                    addPrimitive(mesh, child, pointsOfSources);
-                }
-            }
-            var vertices:ColladaElement = element == null || hasSurface ? null : element.child("vertices");
-            return vertices == null ? mesh : SceneMesh(mesh.begin(function():Steps
-                    {
-                        return pointsOf(vertices, mesh, pointsOfSources);
-                    }));
-        }
-
-        // Adds the steps that read a primitive, after those that read its points.
-        private static function addPrimitive(mesh:SceneMesh, element:ColladaElement, pointsOfSources:Object):void
-        {
-            mesh.begin(function():Steps
-                {
-                    var target:ColladaElement = positionInput(element).target("source", ["vertices", "source"], element.parent);
-                    var points:ColladaAccessor = pointsOf(target, mesh, pointsOfSources);
-                    mesh.beginPrimitive(element.attribute("material"));
-                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, new Triangulator(element.budget, mesh.points, mesh.corners)));
-                });
-        }
-
-        // The points of a source, or of the source that an element "vertices" refers to. They are read once: several primitives may share them.
-        private static function pointsOf(element:ColladaElement, mesh:SceneMesh, pointsOfSources:Object):ColladaAccessor
-        {
-            var source:ColladaElement = element.name == "source" ? element : element.requiredInput("POSITION").target("source", ["source"], element.parent);
-            return pointsOfSources[keyOf(source.id)] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, mesh.points);
-        }
-
-        // The input with the positions of a primitive's corners.
-        private static function positionInput(element:ColladaElement):ColladaElement
+        /** The input with the positions of a primitive's corners. */
+        internal static function positionInput(element:ColladaElement):ColladaElement
         {
             var input:ColladaElement = element.child("input", "VERTEX") || element.child("input", "POSITION");
             element.refuseIf(input == null, "expected an <input> with the semantic VERTEX");
             return input;
         }
 
-        // The own texts of some elements, one after the other.
-        private static function textOf(elements:Vector.<ColladaElement>):String
+        // Reads all lists of corners as one. @param read <code>function(indices:Array):Steps</code>; the work on their indices
+        private function addIndexed(lists:Vector.<ColladaElement>, read:Function):void
         {
             var texts:Array = [];
-            for each (var element:ColladaElement in elements)
+            var indices:Array = [];
+            for each (var list:ColladaElement in lists)
             {
-                texts.push(element.text);
+                texts.push(list.text);
             }
-            return texts.join(" ");
+            add(TextWords.splitting(texts.join(" "), indices)).begin(function():Steps
+                {
+                    return read(indices);
+                });
         }
 
         private function readingTriangles(indices:Array):Steps
@@ -129,30 +87,23 @@ package starlogo.models.collada
         }
 
         // A polylist has the indices of all polygons in one list, and the number of corners of each polygon in another.
-        private function addPolylist(indices:String, sizes:String):void
+        private function readingPolylist(indices:Array):Steps
         {
-            add(TextWords.splitting(indices, function(indexWords:Array):Steps
-                    {
-                        return TextWords.splitting(sizes, function(sizeWords:Array):Steps
-                            {
-                                return readingPolylist(indexWords, sizeWords);
-                            });
-                    }));
-        }
-
-        private function readingPolylist(indices:Array, sizes:Array):Steps
-        {
+            var vcount:ColladaElement = _element.child("vcount");
+            var sizes:Array = [];
             var corners:int = cornersIn(indices);
             var next:int = 0;
-            var vcount:ColladaElement = _element.child("vcount");
-            _element.checkCount(sizes.length, "numbers in <vcount>");
-            return new StepSequence().beginEach(sizes.length, function(index:int):Steps
+            return new StepSequence().add(TextWords.splitting(vcount == null ? "" : vcount.text, sizes)).begin(function():Steps
                 {
-                    var first:int = next;
-                    var count:int = vcount.toInteger(sizes[index], 0, corners - first, "the number of a polygon's corners");
-                    next += count;
-                    return count > 2 ? _triangulator.addPolygon(readCorners(indices, first * _stride, count)) : null;
-                }, Triangulator.POLYGONS_PER_STEP).call(function():void
+                    _element.checkCount(sizes.length, "numbers in <vcount>");
+                    return new StepSequence().beginEach(sizes.length, function(index:int):Steps
+                        {
+                            var first:int = next;
+                            var count:int = vcount.toInteger(sizes[index], 0, corners - first, "the number of a polygon's corners");
+                            next += count;
+                            return count > 2 ? _triangulator.addPolygon(readCorners(indices, first * _stride, count)) : null;
+                        }, Triangulator.POLYGONS_PER_STEP);
+                }).call(function():void
                 {
                     _element.refuseIf(next != corners, "its <vcount> adds up to " + next + " corners, but <p> has " + corners);
                 });

@@ -4,29 +4,24 @@ package starlogo.models.collada
     import starlogo.data.lastAtMost;
     import starlogo.geometry.AffineTransform;
     import starlogo.models.Model;
-    import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
-    import starlogo.models.scene.DeformedPoints;
     import starlogo.models.scene.MeshInstance;
     import starlogo.models.scene.Scene;
-    import starlogo.models.scene.SceneMesh;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
-    import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /**
      * The scene of a COLLADA document. ColladaModel says which parts are read. The steps visit the nodes, and find the instances of geometries. If the
      * document has no scene, they take all geometries of the library.
      *
      * <p>An XmlReader makes ColladaElements of the text. The transforms of nodes come from ColladaTransforms. An element that other nodes instantiate is
-     * several nodes of the Scene. Each geometry becomes a SceneMesh, with the points of ColladaAccessors and the triangles of ColladaPrimitives.</p>
+     * several nodes of the Scene. Each geometry becomes a ColladaMesh, with the points of ColladaAccessors and the triangles of ColladaPrimitives.
+     * A ColladaController moves its points by skins and morphs.</p>
      *
      * @private
      */
@@ -34,10 +29,9 @@ package starlogo.models.collada
     {
         private static const ELEMENTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
-        private static const MAX_CONTROLLERS:int = 16;
 
-        // a node takes more memory than an element
-        private static const ELEMENTS_PER_NODE:int = 2;
+        /** How many elements a node counts as, because it takes more memory. */
+        internal static const ELEMENTS_PER_NODE:int = 2;
 
         /** The steps that read the document's elements. Read only. */
         internal var xml:XmlReader;
@@ -60,7 +54,7 @@ package starlogo.models.collada
          */
         public function ColladaScene(file:ModelFile, upAxis:Object, scaling:String)
         {
-            super(ModelData.forFile(file.name, upAxis, scaling, "y"), new FileBudget(file.name, file.requireText().length));
+            super(new FileBudget(file.name, file.requireText().length), upAxis, scaling);
             xml = new XmlReader(file.requireText(), budget);
             add(xml).call(function():void
                 {
@@ -91,9 +85,11 @@ package starlogo.models.collada
             return entries;
         }
 
-        // The transform from a joint's node to the scene. A joint may have several nodes. The one with the lowest ancestor in common with the skin's node
-        // counts, the first of several. So each of several figures has joints of its own.
-        private function jointTransform(joint:ColladaElement, skinNode:int, skin:ColladaElement):AffineTransform
+        /**
+         * The transform from a joint's node to the scene. A joint may have several nodes. The one with the lowest ancestor in common with the skin's node
+         * counts, the first of several. So each of several figures has joints of its own.
+         */
+        internal function jointTransform(joint:ColladaElement, skinNode:int, skin:ColladaElement):AffineTransform
         {
             var nodes:Vector.<Number> = _nodes[joint.index];
             skin.refuseIf(nodes == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
@@ -216,7 +212,8 @@ package starlogo.models.collada
                     addInstance(element, element.target("url", ["geometry"]), node);
                     break;
                 case "instance_controller":
-                    addController(element, node);
+                    var controller:ColladaController = new ColladaController(this, element, node);
+                    addInstance(element, controller.geometry, node).deforming = controller.deforming;
                     break;
                 case "instance_node":
                     placeNode(element.target("url", ["node"]), node, element);
@@ -230,110 +227,16 @@ package starlogo.models.collada
             }
         }
 
-        // Follows controllers down to the geometry, and finds their skins and morphs.
-        private function addController(element:ColladaElement, node:int):void
+        /** The skin of an element; all controllers with it share it. */
+        internal function skinOf(element:ColladaElement):ColladaSkin
         {
-            var chain:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-            var target:ColladaElement = element.target("url", ["controller"]);
-            while (target.name == "controller")
-            {
-                element.budget.spendElements(ELEMENTS_PER_NODE, element);
-                var deformer:ColladaElement = target.child("skin") || target.requiredChild("morph");
-                target = deformer.target("source", ["geometry", "controller"]);
-                element.refuseIf(chain.length == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
-                        " controllers follow one another, or they refer to each other in a circle");
-                chain.push(deformer);
-                if (deformer.name == "skin")
-                {
-                    _skins[deformer.index] ||= new ColladaSkin(deformer);
-                }
-            }
-            addInstance(element, target, node).deforming = function(deformed:DeformedPoints):Steps
-            {
-                return deforming(deformed, element, chain, node);
-            };
+            return _skins[element.index] ||= new ColladaSkin(element);
         }
 
-        // The steps that move the points of an instance by a chain of skins and morphs. The last one moves them first. At rest the points are where they were
-        // bound if a skin is wrong, or too much for the limits: what does not move needs no joints.
-        private function deforming(deformed:DeformedPoints, element:ColladaElement, chain:Vector.<ColladaElement>, node:int):Steps
+        /** The mesh of a geometry; all its instances share it. */
+        internal function meshOf(geometry:ColladaElement):ColladaMesh
         {
-            var work:StepSequence = new StepSequence().beginEach(chain.length, function(index:int):Steps
-                {
-                    var deformer:ColladaElement = chain[chain.length - 1 - index];
-                    return deformer.name == "skin" ? skinning(deformed, element, _skins[deformer.index], node) : morphing(deformed, deformer);
-                });
-            return new StepSequence().repeat(function():Boolean
-                {
-                    try
-                    {
-                        return work.step();
-                    }
-                    catch (error:ModelError)
-                    {
-                        if (isPosed)
-                        {
-                            throw error;
-                        }
-                        deformed.reset(boundTransform(chain, transformOf(node)));
-                    }
-                    return false;
-                });
-        }
-
-        // What takes points to where a chain of skins was bound, at a node with a transform.
-        private function boundTransform(chain:Vector.<ColladaElement>, transform:AffineTransform):AffineTransform
-        {
-            for each (var deformer:ColladaElement in chain)
-            {
-                transform = deformer.name == "skin" ? transform.after(_skins[deformer.index].bindShape) : transform;
-            }
-            return transform;
-        }
-
-        private function skinning(deformed:DeformedPoints, element:ColladaElement, skin:ColladaSkin, node:int):Steps
-        {
-            return new StepSequence().add(skin).begin(function():Steps
-                {
-                    var count:int = skin.influences.offsets.length - 1;
-                    var pointCount:int = deformed.points.length / 3;
-                    skin.element.refuseIf(pointCount != count, "it has weights for " + count + " points, but its geometry has " + pointCount);
-                    return deformed.skinning(skin.influences, skin.jointMatricesOf(jointTransform, node, element), skin.element.budget, skin.element);
-                });
-        }
-
-        // At rest a morph is its base shape. The targets of a relative morph are added. Other targets share the shape with the base, whose weight is the rest.
-        private function morphing(deformed:DeformedPoints, morph:ColladaElement):Steps
-        {
-            if (!isPosed)
-            {
-                return null;
-            }
-            var inputs:ColladaElement = morph.requiredChild("targets");
-            var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
-            var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var numbers:Vector.<Number> = posed(String(list.array.index));
-            var weights:Vector.<Number> = numbers == null ? list.toNumbers() : list.partOf(numbers);
-            morph.refuseIf(targets.words.length > list.count, "it has " + targets.words.length + " targets, but " + list.count + " weights");
-            var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? null : deformed.points.slice();
-            return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
-                {
-                    var id:String = shortened(targets.words[index]);
-                    var geometry:ColladaElement = morph.elementAt("geometry", "#" + targets.words[index]);
-                    morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + id + "\"");
-                    var target:SceneMesh = meshOf(geometry);
-                    return new StepSequence().add(target).begin(function():Steps
-                        {
-                            morph.refuseIf(target.points.length != deformed.points.length, "its target \"" + id + "\" has another number of points");
-                            morph.budget.spendNumbers(target.points.length, morph);
-                            return deformed.morphing(0, weights[index * list.stride], target.points, base);
-                        });
-                });
-        }
-
-        private function meshOf(geometry:ColladaElement):SceneMesh
-        {
-            return _meshes[geometry.index] ||= ColladaPrimitive.meshOf(geometry);
+            return _meshes[geometry.index] ||= new ColladaMesh(geometry);
         }
 
         // Adds an instance of a geometry, as a mesh with the name of its node. @param element places it; the geometry itself without a scene

@@ -50,20 +50,19 @@ package starlogo.models.collada
         /**
          * What moves points to the scene: by each joint, and last by joint -1. All must be read.
          *
-         * @param transformOf <code>function(joint:ColladaElement, node:int, skin:ColladaElement):AffineTransform</code>; returns the transform from a joint to
-         * the scene, for a skin at a node
+         * @param scene has the joints
          * @param node the node with the skin
          * @param instance the element that instantiates the skin, with its skeletons
          * @throws ModelError if there is no such joint
          */
-        public function jointMatricesOf(transformOf:Function, node:int, instance:ColladaElement):Vector.<AffineTransform>
+        public function jointMatricesOf(scene:ColladaScene, node:int, instance:ColladaElement):Vector.<AffineTransform>
         {
             var joints:Vector.<ColladaElement> = _joints[instance.index] ||= jointsOf(instance);
             element.budget.spendNumbers(joints.length, element);
             var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
             for (var i:int = 0; i < joints.length; i++)
             {
-                jointMatrices.push(transformOf(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
+                jointMatrices.push(scene.jointTransform(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
             }
             jointMatrices.push(bindShape);
             return jointMatrices;

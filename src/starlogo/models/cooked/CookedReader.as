@@ -9,8 +9,7 @@ package starlogo.models.cooked
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.refuseModelIf;
@@ -26,7 +25,7 @@ package starlogo.models.cooked
      *
      * @private
      */
-    public final class CookedReader extends StepSequence
+    public final class CookedReader extends ModelReader
     {
         /** An encoding up to this one, from 0, is the number of decimals of the source's coordinates. */
         internal static const MOST_DECIMALS:int = 8;
@@ -41,29 +40,21 @@ package starlogo.models.cooked
         private static const CORNERS_PER_STEP:int = 4500;
         private static const LABELS_PER_STEP:int = 1500;
 
-        private var _data:ModelData;
         private var _bytes:ByteArray;
 
         /**
+         * @param name the model's name
          * @param bytes the bytes of a possible cooked file
-         * @param data takes what is read
          * @param modelKey the key that the model must have: see <code>CookedFile.MODEL</code>. Null for any
          */
-        public function CookedReader(bytes:ByteArray, data:ModelData, modelKey:Fingerprint)
+        public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
         {
-            _data = data;
+            super(name);
             var file:CookedFile = new CookedFile(bytes);
             add(file).begin(function():Steps
                 {
                     return reading(file, modelKey);
                 });
-        }
-
-        /** The work that makes the model of a file. @param name the model's name */
-        public static function building(name:String, bytes:ByteArray, modelKey:Fingerprint = null):ModelBuilder
-        {
-            var data:ModelData = new ModelData(name);
-            return new ModelBuilder(data, new CookedReader(bytes, data, modelKey));
         }
 
         /** The divisor for the numbers of an encoding. */
@@ -79,13 +70,13 @@ package starlogo.models.cooked
             try
             {
                 hasMore = super.step();
-                _data.readProgress = _bytes == null ? 0 : _bytes.position / _bytes.length;
+                progress = _bytes == null ? 0 : _bytes.position / _bytes.length;
             }
             catch (error:Error)
             {
                 // the transform's own error, or that of the end of the bytes
-                refuseModelIf(error is RangeError, _data.name, error.message);
-                refuseModelIf(error is EOFError, _data.name, "the cooked file has fewer numbers than it says");
+                refuseModelIf(error is RangeError, data.name, error.message);
+                refuseModelIf(error is EOFError, data.name, "the cooked file has fewer numbers than it says");
                 throw error;
             }
             return hasMore;
@@ -94,29 +85,29 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading(file:CookedFile, modelKey:Fingerprint):Steps
         {
-            refuseModelIf(file.isOfOtherVersion, _data.name, "the cooked file is of another version of the engine: cook it again");
+            refuseModelIf(file.isOfOtherVersion, data.name, "the cooked file is of another version of the engine: cook it again");
             _bytes = file.section(CookedFile.MODEL, null);
-            refuseModelIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
-            refuseModelIf(modelKey != null && !file.hasKey(CookedFile.MODEL, modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
-            _data.cooked = file;
-            _data.scaling = Model.SCALINGS[readInteger(0, Model.SCALINGS.length - 1)];
+            refuseModelIf(_bytes == null, data.name, "the cooked file is damaged: cook it again");
+            refuseModelIf(modelKey != null && !file.hasKey(CookedFile.MODEL, modelKey), data.name, "the cooked file is for another up axis, transform or scaling");
+            data.cooked = file;
+            data.scaling = Model.SCALINGS[readInteger(0, Model.SCALINGS.length - 1)];
             var encoding:int = readInteger(0, NORMALISED_DOUBLE);
             // the model's own vertices are transformed already
             var hasTransform:Boolean = readInteger(0, encoding == NORMALISED_DOUBLE ? 0 : 1) == 1;
             var vertexCount:int = readInteger(0, int.MAX_VALUE);
             var triangleCount:int = readInteger(0, int.MAX_VALUE);
-            new FileBudget(_data.name, _bytes.length).checkMeshSize(vertexCount, triangleCount);
-            _data.transform = hasTransform ? new ModelTransform(readVector(), readVector(), readVector()) : null;
+            new FileBudget(data.name, _bytes.length).checkMeshSize(vertexCount, triangleCount);
+            data.transform = hasTransform ? new ModelTransform(readVector(), readVector(), readVector()) : null;
             if (encoding == NORMALISED_DOUBLE)
             {
-                _data.source = readSource();
-                _data.isInModelSpace = true;
-                refuseModelIf(!_data.source.isValid, _data.name, "the cooked file does not have the model's place in its source");
+                data.source = readSource();
+                data.isInModelSpace = true;
+                refuseModelIf(!data.source.isValid, data.name, "the cooked file does not have the model's place in its source");
             }
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
-            refuseModelIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), _data.name, "the cooked file has fewer bytes than it says");
-            _data.vertices.length = 3 * vertexCount;
-            _data.triangles.length = 3 * triangleCount;
+            refuseModelIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), data.name, "the cooked file has fewer bytes than it says");
+            data.vertices.length = 3 * vertexCount;
+            data.triangles.length = 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     readNumbers(first, end, encoding);
@@ -130,7 +121,7 @@ package starlogo.models.cooked
         // The steps that read the labels of the materials, or of the meshes: their names, and then the runs.
         private function readingLabels(index:int):Steps
         {
-            var labels:TriangleLabels = index == 0 ? _data.materials : _data.meshes;
+            var labels:TriangleLabels = index == 0 ? data.materials : data.meshes;
             var nameCount:int = VarInt.read(_bytes);
             var mostLabel:int = nameCount < 0 ? int.MAX_VALUE : nameCount - 1;
             var triangle:Number = 0;
@@ -148,7 +139,7 @@ package starlogo.models.cooked
                         {
                             for (var i:int = first; i < end; i++)
                             {
-                                triangle = Math.min(triangle + readInteger(0, int.MAX_VALUE), _data.triangles.length / 3);
+                                triangle = Math.min(triangle + readInteger(0, int.MAX_VALUE), data.triangles.length / 3);
                                 labels.beginRun(readInteger(-1, mostLabel), triangle);
                             }
                         });
@@ -160,14 +151,14 @@ package starlogo.models.cooked
             var integer:int = VarInt.read(_bytes);
             if (integer < least || integer > most)
             {
-                throw new ModelError(_data.name, "", "the cooked file has a wrong number: " + integer);
+                throw new ModelError(data.name, "", "the cooked file has a wrong number: " + integer);
             }
             return integer;
         }
 
         private function readSource():SourceFrame
         {
-            var numbers:Vector.<Number> = _data.source.toNumbers();
+            var numbers:Vector.<Number> = data.source.toNumbers();
             for (var i:int = 0; i < numbers.length; i++)
             {
                 numbers[i] = _bytes.readDouble();
@@ -182,7 +173,7 @@ package starlogo.models.cooked
 
         private function readNumbers(first:int, end:int, encoding:int):void
         {
-            var all:Vector.<Number> = _data.vertices;
+            var all:Vector.<Number> = data.vertices;
             var divisor:Number = divisorOf(encoding);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
@@ -203,7 +194,7 @@ package starlogo.models.cooked
         // The ModelBuilder checks whether the vertices exist.
         private function readCorners(first:int, end:int):void
         {
-            var triangles:Vector.<uint> = _data.triangles;
+            var triangles:Vector.<uint> = data.triangles;
             var index:int = first == 0 ? 0 : triangles[int(first - 1)];
             for (var i:int = first; i < end; i++)
             {

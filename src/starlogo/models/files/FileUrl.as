@@ -24,8 +24,8 @@ package starlogo.models.files
             return url.match(PATH)[0];
         }
 
-        /** The part after its path. */
-        public static function endOf(url:String):String
+        /** The part of an address after its path. */
+        public static function suffixOf(url:String):String
         {
             return url.substr(pathOf(url).length);
         }
@@ -48,7 +48,7 @@ package starlogo.models.files
         {
             var folder:String = folderOf(url);
             var name:String = pathOf(url).substr(folder.length).replace(EXTENSION, "");
-            return name == "" ? null : folder + name + extension + endOf(url);
+            return name == "" ? null : folder + name + extension + suffixOf(url);
         }
 
         /** Whether an address, relative to a folder, names a file in the folder or below it. */

@@ -17,9 +17,8 @@ package starlogo.models.gltf
         private static const VERTICES_PER_STEP:int = 2000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
-        // modes of primitives; those of points and lines are less
+        // modes of primitives: strips have the one between these, and points and lines have lower ones
         private static const TRIANGLES:int = 4;
-        private static const STRIP:int = 5;
         private static const FAN:int = 6;
 
         /** Whether vertices are moved by a skin or by morph targets. */
@@ -39,7 +38,7 @@ package starlogo.models.gltf
 
         // For each list of positions, its first vertex in the mesh. The key is the accessor's place in the file. For a primitive that shares its vertices
         // with no other one, the primitive's place comes after it.
-        private var _firsts:Object = {};
+        private var _firstVertices:Object = {};
 
         /**
          * @param file the file; all its steps must be done
@@ -88,7 +87,7 @@ package starlogo.models.gltf
                             }
                             deltas.requireCount(rest.count);
                             _file.budget.spendNumbers(deltas.numbers.length, primitive.place);
-                            return new StepSequence().add(deltas).add(deformed.morphing(_firsts[rest.json.place + primitive.place], weights[target], deltas.numbers, null));
+                            return new StepSequence().add(deltas).add(deformed.morphing(_firstVertices[rest.json.place + primitive.place], weights[target], deltas.numbers, null));
                         });
                 }).begin(function():Steps
                 {
@@ -114,7 +113,7 @@ package starlogo.models.gltf
                     for (var i:int = 0; i < _jointCount; i++)
                     {
                         var joint:AffineTransform = scene.transformOf(_skin.indexIn("joints", i, "nodes"));
-                        jointMatrices.push(inverses == null ? joint : joint.after(GltfScene.ofColumns(inverses.numbers, 16 * i)));
+                        jointMatrices.push(inverses == null ? joint : joint.after(GltfScene.transformOfColumns(inverses.numbers, 16 * i)));
                     }
                     jointMatrices.push(scene.transformOf(node));
                     return deformed.skinning(_influences, jointMatrices, _file.budget, _skin.place);
@@ -135,15 +134,15 @@ package starlogo.models.gltf
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
             var key:String = positions.json.place + (isPlain ? "" : primitive.place);
-            if (!(key in _firsts))
+            if (!(key in _firstVertices))
             {
-                _firsts[key] = points.length / 3;
+                _firstVertices[key] = points.length / 3;
                 addVertices(work, primitive, attributes, positions);
             }
             var mode:int = primitive.integer("mode", FAN, TRIANGLES);
             if (mode >= TRIANGLES)
             {
-                addTriangles(work, mode, primitive, _firsts[key], positions.count);
+                addTriangles(work, mode, primitive, _firstVertices[key], positions.count);
             }
             return work;
         }
@@ -173,8 +172,8 @@ package starlogo.models.gltf
             for (var i:int = 0; attributes.has("JOINTS_" + i); i++)
             {
                 _hasJoints = true;
-                joints.push(ofVertices(work, attributes, "JOINTS_" + i, vertexCount));
-                weights.push(ofVertices(work, attributes, "WEIGHTS_" + i, vertexCount));
+                joints.push(accessorOfVertices(work, attributes, "JOINTS_" + i, vertexCount));
+                weights.push(accessorOfVertices(work, attributes, "WEIGHTS_" + i, vertexCount));
             }
             // sets may have the same accessors
             _file.budget.spendNumbers(4 * Number(vertexCount) * i, attributes.place);
@@ -196,7 +195,7 @@ package starlogo.models.gltf
                 });
         }
 
-        private function ofVertices(work:StepSequence, attributes:GltfJson, key:String, vertexCount:int):GltfAccessor
+        private function accessorOfVertices(work:StepSequence, attributes:GltfJson, key:String, vertexCount:int):GltfAccessor
         {
             var found:GltfAccessor = _file.accessorOf(attributes, key, "VEC4");
             attributes.refuseIf(found == null, "a mesh has no weights for its joints");

@@ -3,7 +3,6 @@ package starlogo.models.gltf
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.models.animation.normaliseQuaternion;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.scene.DeformedPoints;
     import starlogo.models.scene.MeshInstance;
@@ -33,7 +32,7 @@ package starlogo.models.gltf
          */
         public function GltfScene(file:GltfFile, upAxis:Object, scaling:String)
         {
-            super(ModelData.forFile(file.budget.modelName, upAxis, scaling, "y"), file.budget);
+            super(file.budget, upAxis, scaling);
             _file = file;
             add(file).begin(readingNodes).begin(visitingNodes);
         }
@@ -81,7 +80,7 @@ package starlogo.models.gltf
             if (m != null)
             {
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
-                return around.after(ofColumns(m, 0));
+                return around.after(transformOfColumns(m, 0));
             }
             var t:Vector.<Number> = posedNumbers(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
             var r:Vector.<Number> = posedNumbers(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
@@ -99,7 +98,7 @@ package starlogo.models.gltf
         }
 
         /** The transform with 16 numbers, column by column. @param at the index of the first one */
-        internal static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
+        internal static function transformOfColumns(m:Vector.<Number>, at:int):AffineTransform
         {
             return new AffineTransform(new <Number>[
                         m[at], m[at + 4], m[at + 8], m[at + 12],

@@ -40,7 +40,7 @@ package starlogo.models.loading
             var cooked:String = _cooked[keyOf(model)] || "";
             // A cooked file's address may begin with the model's, which the game chose. Only what the list adds is checked.
             var added:String = cooked.indexOf(model) == 0 ? cooked.substr(model.length) : cooked;
-            return FileUrl.isWithin(added) ? folder + cooked + FileUrl.endOf(file) : null;
+            return FileUrl.isWithin(added) ? folder + cooked + FileUrl.suffixOf(file) : null;
         }
 
         // A file that is no list counts as an empty list.

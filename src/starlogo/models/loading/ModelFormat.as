@@ -2,8 +2,8 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.models.collada.ColladaScene;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
@@ -11,7 +11,6 @@ package starlogo.models.loading
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfScene;
     import starlogo.models.obj.ObjReader;
-    import starlogo.models.scene.Scene;
     import starlogo.models.stl.StlReader;
 
     /**
@@ -26,31 +25,31 @@ package starlogo.models.loading
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
         /**
-         * The work that makes the model of a file. Decodes a text.
+         * The reader for a file. Decodes a text.
          *
          * @param file the file
          * @param upAxis the axis that points up, if the format has no rule for it; or a ModelTransform
          * @param scaling as for Model's constructor
          * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function building(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelBuilder
+        public static function readerOf(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
             var transform:ModelTransform = upAxis as ModelTransform;
             ModelData.requireUpAxis(file.name, upAxis);
             if (file.bytes != null && CookedFile.isCookedFile(file.bytes))
             {
-                return CookedReader.building(file.name, file.bytes);
+                return new CookedReader(file.name, file.bytes);
             }
             switch ((file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file))
             {
                 case "stl":
-                    return StlReader.building(file, upAxis, scaling);
+                    return new StlReader(file, upAxis, scaling);
                 case "dae":
-                    return Scene.building(new ColladaScene(file, transform, scaling));
+                    return new ColladaScene(file, transform, scaling);
                 case "gltf":
-                    return Scene.building(new GltfScene(new GltfFile(file, fetch), transform, scaling));
+                    return new GltfScene(new GltfFile(file, fetch), transform, scaling);
                 default:
-                    return ObjReader.building(file, upAxis, scaling);
+                    return new ObjReader(file, upAxis, scaling);
             }
         }
 

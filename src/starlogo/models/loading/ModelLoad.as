@@ -21,15 +21,15 @@ package starlogo.models.loading
      * arrive or is no model. The receiver's steps may throw other errors.
      *
      * <p>Each method adds the steps that come after it. <code>fetch</code> fetches the list of cooked files, if there is one. Then
-     * <code>fetchCooked</code> and <code>readCooked</code> try the cooked file. If that gives no model, <code>fetchFile</code> fetches the model's own
-     * file and its transform file. <code>read</code> decodes the file. <code>addMakeSteps</code> has its reader make the model, which may fetch other
-     * files (<code>fetchSibling</code>), and <code>keepModel</code> gives it to the receiver.</p>
+     * <code>fetchCooked</code> tries the cooked file. If that gives no model, <code>fetchFile</code> fetches the model's own file and its transform file.
+     * <code>read</code> decodes the file. <code>addMakeSteps</code> has its reader make the model, which may fetch other files, and <code>keepModel</code>
+     * gives it to the receiver.</p>
      *
      * @private
      */
     public final class ModelLoad extends StepSequence
     {
-        // A model that is read has the progress READ_PROGRESS. Fetching its file is the share FETCHING_SHARE of that.
+        // The progress of a model that is read. Of what is left until then, fetching a file is this share, and reading it the rest.
         private static const READ_PROGRESS:Number = 0.5;
         private static const FETCHING_SHARE:Number = 0.4;
 
@@ -50,15 +50,12 @@ package starlogo.models.loading
         private var _receiver:ModelReceiver;
         private var _newURLLoader:Function;
 
-        // the addresses of the file and of its transform file; null if there is none to fetch
-        private var _url:String = null;
-        private var _transformUrl:String = null;
+        // The list of cooked files that is fetched first. Other loads wait for it too, so it is not cancelled. Null for none.
+        private var _list:FileDownload = null;
 
-        // the list of cooked files; null if there is none for the file
-        private var _manifest:CookedManifest = null;
-
-        // the progress that a cooked file has made that gave no model; 0 if there was none
-        private var _cookedProgress:Number = 0;
+        // the progress at the beginning and at the end of the present stage: fetching a file, or reading it
+        private var _stageStart:Number = 0;
+        private var _stageEnd:Number = 0;
 
         // The downloads that the next step waits for: the file and its transform file, or its cooked file; or other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
@@ -85,20 +82,19 @@ package starlogo.models.loading
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return !_downloads.some(isRunning) && (_manifest == null || !_manifest.download.isRunning);
+            return !_downloads.some(isRunning) && (_list == null || !_list.isRunning);
         }
 
         /** The share of the load that is done, from 0 to 1. */
         public function get progress():Number
         {
-            if (model != null)
+            var share:Number = _downloads.length == 0 ? 0 : _downloads[0].progress;
+            if (_maker != null)
             {
-                return READ_PROGRESS;
+                // a game's own maker may return anything
+                share = Math.max(0, Math.min(_maker.progress, 1)) || 0;
             }
-            var fetching:Number = _url == null ? 0 : FETCHING_SHARE;
-            var fetched:Number = _downloads.length == 0 ? 0 : _downloads[0].progress;
-            var share:Number = _maker == null ? fetching * fetched : fetching + (1 - fetching) * (Math.max(0, Math.min(_maker.progress, 1)) || 0);
-            return _cookedProgress + (READ_PROGRESS - _cookedProgress) * share;
+            return model == null ? _stageStart + (_stageEnd - _stageStart) * share : READ_PROGRESS;
         }
 
         /**
@@ -126,16 +122,18 @@ package starlogo.models.loading
                     });
                 return;
             }
-            _url = url;
-            _transformUrl = usesTransforms && !(_upAxis is ModelTransform) && FileUrl.hasFolder(url) ? FileUrl.siblingOf(url, ".slb") : null;
-            if (manifest == null || !FileUrl.hasFolder(url))
+            var hasFolder:Boolean = FileUrl.hasFolder(url);
+            var transformUrl:String = usesTransforms && hasFolder && !(_upAxis is ModelTransform) ? FileUrl.siblingOf(url, ".slb") : null;
+            if (manifest == null || !hasFolder)
             {
-                fetchFile();
+                fetchFile(url, transformUrl);
                 return;
             }
-            _manifest = manifest;
-            manifest.download ||= new FileDownload(manifest.url, _newURLLoader());
-            call(fetchCooked);
+            _list = manifest.download ||= new FileDownload(manifest.url, _newURLLoader());
+            call(function():void
+                {
+                    fetchCooked(manifest.addressFor(url), url, transformUrl);
+                });
         }
 
         /** Adds the steps that read a file. */
@@ -150,7 +148,7 @@ package starlogo.models.loading
         /** Adds the steps of what makes the model: the reader of its file, or the game's own maker. */
         public function addMakeSteps(maker:ModelMaker):void
         {
-            _maker = maker;
+            beginReading(maker);
             add(maker).call(keepModel);
         }
 
@@ -176,49 +174,61 @@ package starlogo.models.loading
             return download.isRunning;
         }
 
-        private function fetchCooked():void
+        // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
+        // @param address of the cooked file; null if there is none
+        private function fetchCooked(address:String, url:String, transformUrl:String):void
         {
-            var address:String = _manifest.addressFor(_url);
             if (address == null)
             {
-                fetchFile();
+                fetchFile(url, transformUrl);
                 return;
             }
+            beginFetching();
             var file:FileDownload = startDownload(address);
             call(function():void
                 {
-                    _maker = CookedReader.building(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _transformUrl != null));
-                }).repeat(readCooked);
-        }
-
-        // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
-        private function readCooked():Boolean
-        {
-            try
-            {
-                if (_maker.step())
+                    beginReading(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, transformUrl != null)).building());
+                }).repeat(function():Boolean
                 {
-                    return true;
-                }
-                keepModel();
-            }
-            catch (error:ModelError)
-            {
-                _cookedProgress = progress;
-                _maker = null;
-                fetchFile();
-            }
-            return false;
+                    try
+                    {
+                        if (_maker.step())
+                        {
+                            return true;
+                        }
+                        keepModel();
+                    }
+                    catch (error:ModelError)
+                    {
+                        fetchFile(url, transformUrl);
+                    }
+                    return false;
+                });
         }
 
-        private function fetchFile():void
+        private function fetchFile(url:String, transformUrl:String):void
         {
-            var file:FileDownload = startDownload(_url);
-            var transformFile:FileDownload = _transformUrl == null ? null : startDownload(_transformUrl);
+            beginFetching();
+            var file:FileDownload = startDownload(url);
+            var transformFile:FileDownload = transformUrl == null ? null : startDownload(transformUrl);
             call(function():void
                 {
-                    readFetched(file, transformFile);
+                    readFetched(url, file, transformFile);
                 });
+        }
+
+        private function beginFetching():void
+        {
+            _stageStart = progress;
+            _stageEnd = _stageStart + FETCHING_SHARE * (READ_PROGRESS - _stageStart);
+            _maker = null;
+        }
+
+        private function beginReading(maker:ModelMaker):void
+        {
+            _stageStart = _stageEnd;
+            _stageEnd = READ_PROGRESS;
+            _maker = maker;
         }
 
         // Starts to fetch a file. The next step is done when it has come.
@@ -229,7 +239,7 @@ package starlogo.models.loading
             return started;
         }
 
-        private function readFetched(file:FileDownload, transformFile:FileDownload):void
+        private function readFetched(url:String, file:FileDownload, transformFile:FileDownload):void
         {
             refuseModelIf(file.problem != null, name, file.problem);
             // without a transform file, or with one that says nothing, the caller's axis stays
@@ -240,19 +250,18 @@ package starlogo.models.loading
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            read(new ModelFile(name, file.bytes, null, _url));
+            read(new ModelFile(name, file.bytes, null, url));
         }
 
         private function read(file:ModelFile):void
         {
-            addMakeSteps(ModelFormat.building(file, _upAxis, _scaling, fetchSibling));
-        }
-
-        // Starts to fetch a file that the model's file names: see GltfFile. The maker's next step is done when it has come.
-        private function fetchSibling(uri:String):Object
-        {
-            return FileUrl.hasFolder(_url) ? startDownload(FileUrl.folderOf(_url) + uri)
-                : {bytes: null, problem: "it is in another file, and the address of this file is not known: load() fetches both"};
+            // starts to fetch a file that this one names: see GltfFile; the maker's next step is done when it has come
+            var fetchSibling:Function = function(uri:String):Object
+            {
+                return FileUrl.hasFolder(file.url) ? startDownload(FileUrl.folderOf(file.url) + uri)
+                    : {bytes: null, problem: "it is in another file, and the address of this file is not known: load() fetches both"};
+            };
+            addMakeSteps(ModelFormat.readerOf(file, _upAxis, _scaling, fetchSibling).building());
         }
 
         private function keepModel():void

@@ -1,7 +1,6 @@
 package starlogo.models.obj
 {
-    import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.ModelFile;
@@ -18,9 +17,8 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends StepSequence
+    public final class ObjReader extends ModelReader
     {
-        private var _data:ModelData;
         private var _lines:LineReader;
 
         // The faces of more than three corners are kept until all vertices are known: the corners, and two labels of each face, of its material and of
@@ -33,22 +31,15 @@ package starlogo.models.obj
         private var _highestIndex:int = -1;
         private var _highestLine:int;
 
-        /** @param data takes what is read */
-        public function ObjReader(file:ModelFile, data:ModelData)
+        /** The other parameters are those of ObjModel. */
+        public function ObjReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            _data = data;
+            super(file.name, upAxis, scaling);
             var text:String = file.requireText();
             refuseModelIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
             refuseModelIf(file.beginsWithTag, file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
-            _lines = new LineReader(data, text, readStatement);
+            _lines = new LineReader(this, text, readStatement);
             add(_lines).call(checkIndices).begin(triangulating).add(removingUnusedVertices(data.vertices, data.triangles));
-        }
-
-        /** The work that makes the model of a file. The other parameters are those of ObjModel. */
-        public static function building(file:ModelFile, upAxis:Object, scaling:String):ModelBuilder
-        {
-            var data:ModelData = ModelData.forFile(file.name, upAxis, scaling);
-            return new ModelBuilder(data, new ObjReader(file, data));
         }
 
         private function readStatement(words:Array):void
@@ -56,19 +47,19 @@ package starlogo.models.obj
             switch (words[0])
             {
                 case "v":
-                    _lines.readPoint(words, 1, _data.vertices, _data.vertices.length);
+                    _lines.readPoint(words, 1, data.vertices, data.vertices.length);
                     break;
                 case "f":
                     readFace(words);
                     break;
                 case "usemtl":
-                    readLabel(words, _data.materials);
+                    readLabel(words, data.materials);
                     break;
                 case "o":
-                    readLabel(words, _data.meshes);
+                    readLabel(words, data.meshes);
                     break;
                 case "g":
-                    readLabel(words, _data.meshes);
+                    readLabel(words, data.meshes);
             }
         }
 
@@ -76,7 +67,7 @@ package starlogo.models.obj
         private function readLabel(words:Array, labels:TriangleLabels):void
         {
             var name:String = words.slice(1).join(" ");
-            labels.beginRun(name == "" ? -1 : labels.labelWithKey(name, name), _data.triangles.length / 3);
+            labels.beginRun(name == "" ? -1 : labels.labelWithKey(name, name), data.triangles.length / 3);
         }
 
         private function readFace(words:Array):void
@@ -88,14 +79,14 @@ package starlogo.models.obj
             }
             if (corners.length == 3)
             {
-                _data.triangles.push(corners[0], corners[1], corners[2]);
+                data.triangles.push(corners[0], corners[1], corners[2]);
             }
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                _polygonLabels.push(_data.materials.current, _data.meshes.current);
+                _polygonLabels.push(data.materials.current, data.meshes.current);
                 _polygonTriangles += corners.length - 2;
-                _lines.budget.checkMeshSize(0, _data.triangles.length / 3 + _polygonTriangles, _lines);
+                _lines.budget.checkMeshSize(0, data.triangles.length / 3 + _polygonTriangles, _lines);
             }
         }
 
@@ -109,11 +100,11 @@ package starlogo.models.obj
             {
                 throw _lines.error("expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" + shortened(word) + "\"");
             }
-            index = index > 0 ? index - 1 : _data.vertices.length / 3 + index;
+            index = index > 0 ? index - 1 : data.vertices.length / 3 + index;
             if (index < 0)
             {
                 throw _lines.error("the corner \"" + shortened(word) +
-                        "\" counts back beyond the first vertex: there are " + _data.vertices.length / 3 + " before it");
+                        "\" counts back beyond the first vertex: there are " + data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
             {
@@ -125,19 +116,19 @@ package starlogo.models.obj
 
         private function checkIndices():void
         {
-            var vertexCount:int = _data.vertices.length / 3;
-            refuseModelIf(vertexCount == 0, _data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
-            refuseModelIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
+            var vertexCount:int = data.vertices.length / 3;
+            refuseModelIf(vertexCount == 0, data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
+            refuseModelIf(_highestIndex >= vertexCount, data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
         // The steps that triangulate all polygons.
         private function triangulating():Steps
         {
-            var triangulator:Triangulator = new Triangulator(_lines.budget, _data.vertices, _data.triangles);
+            var triangulator:Triangulator = new Triangulator(_lines.budget, data.vertices, data.triangles);
             return new StepSequence().beginEach(_polygons.length, function(index:int):Steps
                 {
-                    _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
-                    _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
+                    data.materials.beginRun(_polygonLabels[2 * index], data.triangles.length / 3);
+                    data.meshes.beginRun(_polygonLabels[2 * index + 1], data.triangles.length / 3);
                     return triangulator.addPolygon(_polygons[index]);
                 }, Triangulator.POLYGONS_PER_STEP);
         }

@@ -4,6 +4,7 @@ package starlogo.models.scene
     import starlogo.geometry.AffineTransform;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.refuseModelIf;
@@ -11,16 +12,13 @@ package starlogo.models.scene
     import starlogo.steps.Steps;
 
     /**
-     * The scene of a COLLADA document or a glTF file: nodes, and instances of meshes at nodes. It has a class for each format, whose steps read it. Then its
-     * meshes are added to a model, at rest, or again and again in the poses of an animation.
+     * The scene of a COLLADA document or a glTF file: nodes, and instances of meshes at nodes. It has a subclass for each format, whose steps read it. Then
+     * its meshes are added to a model, at rest by <code>building()</code>, or again and again in the poses of an animation.
      *
      * @private
      */
-    public class Scene extends StepSequence
+    public class Scene extends ModelReader
     {
-        /** The model at rest. It has the name, and the up axis when the scene is read. Read only. */
-        public var data:ModelData;
-
         /** What the file may have and cost. Read only. */
         public var budget:FileBudget;
 
@@ -37,22 +35,24 @@ package starlogo.models.scene
         private var _transforms:Vector.<AffineTransform> = new Vector.<AffineTransform>();
 
         /**
-         * @param data the model at rest
          * @param budget what the file may have and cost
+         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for the file's
+         * @param scaling as for Model's constructor; null if the vertices are not normalised
          */
-        public function Scene(data:ModelData, budget:FileBudget)
+        public function Scene(budget:FileBudget, upAxis:Object, scaling:String)
         {
-            this.data = data;
+            super(budget.modelName, upAxis, scaling, "y");
             this.budget = budget;
         }
 
-        /** The work that reads a scene, and makes the model of it. It is static because a page loads it only for models, and not for animations alone. */
-        public static function building(scene:Scene):ModelBuilder
+        /** @inheritDoc The meshes are added to the model at rest. */
+        override public function building():ModelBuilder
         {
-            return new ModelBuilder(scene.data, new StepSequence().add(scene).begin(function():Steps
-                    {
-                        return scene.adding(scene.data);
-                    }));
+            begin(function():Steps
+                {
+                    return adding(data);
+                });
+            return super.building();
         }
 
         /** Adds a node, and returns its index. @param parent the node around it; -1 for none, or if that is set later */
@@ -101,15 +101,15 @@ package starlogo.models.scene
             var count:int = instances.length;
             return new StepSequence().beginEach(count, function(index:int):Steps
                 {
-                    model.readProgress = index / count / 2;
+                    progress = index / count / 2;
                     return instances[index].mesh;
                 }).beginEach(count, function(index:int):Steps
                 {
-                    model.readProgress = (1 + index / count) / 2;
+                    progress = (1 + index / count) / 2;
                     return instances[index].adding(model, scene);
                 }).call(function():void
                 {
-                    model.readProgress = 1;
+                    progress = 1;
                     refuseModelIf(model.vertices.length == 0, model.name, "no vertices: expected a mesh in the scene");
                 }).add(removingUnusedVertices(model.vertices, model.triangles));
         }

@@ -4,20 +4,18 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
-    import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
     import starlogo.models.text.LineReader;
-    import starlogo.steps.StepSequence;
 
     /**
      * Reads an STL file, binary or text. StlModel says which parts.
      *
      * @private
      */
-    public final class StlReader extends StepSequence
+    public final class StlReader extends ModelReader
     {
         private static const HEADER_LENGTH:int = 84;
         private static const COUNT_AT:int = 80;
@@ -25,7 +23,6 @@ package starlogo.models.stl
         private static const NORMAL_LENGTH:int = 12;
         private static const FACETS_PER_STEP:int = 300;
 
-        private var _data:ModelData;
         private var _points:PointTable;
 
         // of a text file; null for a binary one
@@ -35,12 +32,13 @@ package starlogo.models.stl
         private var _corners:int = 0;
 
         /**
+         * The other parameters are those of StlModel.
+         *
          * @param file the file; the endianness of its bytes is set
-         * @param data takes what is read
          */
-        public function StlReader(file:ModelFile, data:ModelData)
+        public function StlReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            _data = data;
+            super(file.name, upAxis, scaling);
             if (file.bytes != null && isBinary(file.bytes))
             {
                 addBinary(file);
@@ -53,17 +51,10 @@ package starlogo.models.stl
             call(checkEnd);
         }
 
-        /** The work that makes the model of a file. The other parameters are those of StlModel. */
-        public static function building(file:ModelFile, upAxis:Object, scaling:String):ModelBuilder
-        {
-            var data:ModelData = ModelData.forFile(file.name, upAxis, scaling);
-            return new ModelBuilder(data, new StlReader(file, data));
-        }
-
         private function addText(text:String):void
         {
             _points = new PointTable(Math.min(text.length / 20, FileBudget.MAX_VERTICES));
-            _lines = new LineReader(_data, text, readStatement);
+            _lines = new LineReader(this, text, readStatement);
             add(_lines);
         }
 
@@ -71,7 +62,7 @@ package starlogo.models.stl
         {
             var bytes:ByteArray = file.bytes;
             file.checkSize();
-            var budget:FileBudget = new FileBudget(_data.name, bytes.length);
+            var budget:FileBudget = new FileBudget(data.name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
             budget.checkMeshSize(0, count);
@@ -79,8 +70,8 @@ package starlogo.models.stl
             slices(count, FACETS_PER_STEP, function(first:int, end:int):void
                 {
                     readFacets(bytes, first, end);
-                    budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
-                    _data.readProgress = end / Math.max(1, count);
+                    budget.checkMeshSize(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
+                    progress = end / Math.max(1, count);
                 });
         }
 
@@ -119,9 +110,9 @@ package starlogo.models.stl
                     var z:Number = bytes.readFloat();
                     if (!isFinite(x + y + z)) // floats have no sum that is too large
                     {
-                        throw new ModelError(_data.name, "triangle " + i, "expected three finite numbers for a vertex, but found " + x + ", " + y + ", " + z);
+                        throw new ModelError(data.name, "triangle " + i, "expected three finite numbers for a vertex, but found " + x + ", " + y + ", " + z);
                     }
-                    _data.triangles.push(_points.add(x, y, z));
+                    data.triangles.push(_points.add(x, y, z));
                 }
                 at += FACET_LENGTH;
             }
@@ -165,14 +156,14 @@ package starlogo.models.stl
                 throw _lines.error("a facet has more than three vertices");
             }
             _lines.readPoint(words, first, point, 0);
-            _data.triangles.push(_points.add(point[0], point[1], point[2]));
+            data.triangles.push(_points.add(point[0], point[1], point[2]));
             _corners++;
         }
 
         private function checkEnd():void
         {
-            refuseModelIf(_corners != 0, _data.name, "the file is cut off: a facet has no end", _lines || "");
-            refuseModelIf(_data.vertices.length == 0, _data.name, "no vertices: expected facets");
+            refuseModelIf(_corners != 0, data.name, "the file is cut off: a facet has no end", _lines || "");
+            refuseModelIf(data.vertices.length == 0, data.name, "no vertices: expected facets");
         }
     }
 }

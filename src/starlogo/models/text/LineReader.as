@@ -1,7 +1,7 @@
 package starlogo.models.text
 {
     import starlogo.models.ModelError;
-    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.shortened;
     import starlogo.steps.Steps;
@@ -29,7 +29,7 @@ package starlogo.models.text
         /** What the file may have and cost. Read only. */
         public var budget:FileBudget;
 
-        private var _data:ModelData;
+        private var _reader:ModelReader;
         private var _text:String;
         private var _read:Function;
 
@@ -40,16 +40,16 @@ package starlogo.models.text
         private var _lineCount:int = 0; // before the next line
 
         /**
-         * @param data takes what is read
+         * @param reader of the file
          * @param text the text, without a byte-order mark
          * @param read <code>function(words:Array):void</code>; gets the words of a statement, at least one
          */
-        public function LineReader(data:ModelData, text:String, read:Function)
+        public function LineReader(reader:ModelReader, text:String, read:Function)
         {
-            _data = data;
+            _reader = reader;
             _text = text;
             _read = read;
-            budget = new FileBudget(data.name, text.length);
+            budget = new FileBudget(reader.data.name, text.length);
         }
 
         /** The place of a line, for errors. */
@@ -67,7 +67,7 @@ package starlogo.models.text
         /** The error for something that is wrong with the present statement. */
         public function error(problem:String):ModelError
         {
-            return new ModelError(_data.name, String(this), problem);
+            return new ModelError(_reader.data.name, String(this), problem);
         }
 
         /** @inheritDoc @throws ModelError if a statement is wrong or too long, or the model has too many vertices or triangles */
@@ -88,8 +88,8 @@ package starlogo.models.text
                     }
                 }
             }
-            _data.readProgress = _end / Math.max(1, _text.length);
-            budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3, this);
+            _reader.progress = _end / Math.max(1, _text.length);
+            budget.checkMeshSize(_reader.data.vertices.length / 3, _reader.data.triangles.length / 3, this);
             return hasMore;
         }
 

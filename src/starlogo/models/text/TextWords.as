@@ -23,13 +23,12 @@ package starlogo.models.text
         }
 
         /**
-         * The steps that split a long text into words, and then do the work on these.
+         * The steps that split a long text into words.
          *
-         * @param make <code>(words:Array):Steps</code>; the work on the words
+         * @param out takes the words
          */
-        public static function splitting(text:String, make:Function):Steps
+        public static function splitting(text:String, out:Array):Steps
         {
-            var words:Array = [];
             var start:int = 0;
             return new StepSequence().repeat(function():Boolean
                 {
@@ -40,13 +39,10 @@ package starlogo.models.text
                     }
                     for each (var word:String in of(text.substring(start, end)))
                     {
-                        words.push(word);
+                        out.push(word);
                     }
                     start = end;
                     return start < text.length;
-                }).begin(function():Steps
-                {
-                    return make(words);
                 });
         }
 

@@ -33,7 +33,7 @@ package starlogo.models.loading
         private static function checkProgress(bytes:ByteArray, text:String):void
         {
             var file:ModelFile = new ModelFile("a", bytes, text);
-            var builder:ModelBuilder = ModelFormat.building(file, "z", "footprint", null);
+            var builder:ModelBuilder = ModelFormat.readerOf(file, "z", "footprint", null).building();
             var progress:Array = [builder.progress];
             var isLeft:Boolean = true;
             while (isLeft)

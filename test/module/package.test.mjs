@@ -1318,6 +1318,28 @@ test("while a game is developed, questions that have not seen what restore() has
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
+test("while a game is developed, motions that have not seen what restore() has put back are warned of", () => {
+	const program = (ask) => `${beginning("Agent, AgentMotions, BinCollider, Collision, SeenAgents, Sphere, Vector3D", "starlogo-collision.js")}
+		const agents = [new Agent("sphere", "heroes"), new Agent("sphere", "coins")];
+		const [hero, coin] = agents;
+		const collision = new Collision(new BinCollider());
+		const seen = new SeenAgents(collision);
+		const motions = new AgentMotions(seen);
+		collision.update(agents);
+		const bytes = collision.snapshot(true);
+		coin.moveTo(99, 0, 0);
+		seen.update(agents);
+		collision.restore(bytes, agents);
+		${ask};
+		console.log(JSON.stringify(said));`;
+	for (const ask of ["motions.castShape(new Sphere(new Vector3D(0, 0, 9), 1), 1, 0, 0)", "motions.slide(hero, 0, 0, 1)", "motions.walk(hero, 0, 0)"]) {
+		const said = printedBy(program(ask));
+		assert.equal(said.length, 1, ask);
+		assert.match(said[0], /questions do not see agent \d+ \(breed "coins", shape "sphere"\) where restore\(\) has put it/, ask);
+	}
+	assert.deepEqual(printedBy(program("seen.update(agents); motions.slide(hero, 0, 0, 1)")), []);
+});
+
 test("while a game is developed, a model's name that is misspelt is warned of, once", () => {
 	const program = (module) => `${beginning("BuiltInModel, GreatLand", module)}
 		const land = new GreatLand();

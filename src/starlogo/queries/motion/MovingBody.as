@@ -18,22 +18,18 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
-    import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.trees.Collector;
-    import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.StructureBody;
     import starlogo.search.pairs.PairTests;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
     /**
-     * A body that moves and the rows near its way, for the classes that move it: they know rows only through it. It asks NarrowPhase whether the body
-     * touches a row, and how it overlaps the row, at the places that a motion tries.
+     * A body that moves and the rows near its way, for the classes that move it: they know rows only through it. It tests whether the body touches a
+     * row, and how it overlaps the row, at the places that a motion tries.
      *
      * @private
      */
@@ -48,7 +44,7 @@ package starlogo.queries.motion
         /** The body at its full size, not shrunk, where it was tested last. Only <code>moveTo()</code> moves it. Read only. */
         public var fullBody:Body = null;
 
-        /** The rows that count and are near its way, in the order of the list. Read only. */
+        /** The rows that count and are near its way, in the order of the list. NearRows finds them. */
         public var rows:IntList = new IntList();
 
         /** The agent whose body it is, which does not count among the rows; null for the body of a structure. Read only. */
@@ -59,9 +55,6 @@ package starlogo.queries.motion
         public var motion:Vector3D = new Vector3D();
 
         private var _seen:SeenAgents;
-
-        // Finds the rows near its way.
-        private var _search:SweptBoxSearch = new SweptBoxSearch();
 
         // A copy of the body of an agent, because a filter's accepts may move the agent; and what makes the body of a structure.
         private var _copy:Body = new Body();
@@ -146,61 +139,6 @@ package starlogo.queries.motion
             return 2 * fullBody.maxHalf;
         }
 
-        /**
-         * Finds the rows near the wanted motion, if it is straight.
-         *
-         * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
-         */
-        public function collectRowsAlong(filter:AgentFilter):void
-        {
-            if (searchAround())
-            {
-                _search.moveAlong(motion.x, motion.y, motion.z);
-                collectRows(filter);
-            }
-        }
-
-        /**
-         * Finds the rows near motions that are not known yet, and near the pushes with which they begin.
-         *
-         * @param range how far it may go in any direction, without pushes
-         * @param up how much farther than the range it may go upwards
-         * @param down how much farther than the range it may go downwards
-         * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
-         */
-        public function collectRowsWithin(range:Number, up:Number, down:Number, filter:AgentFilter):void
-        {
-            if (searchAround())
-            {
-                var largest:Number = largestExtentBound;
-                var reach:Number = range + maxSlop(range, largest);
-                if (ShrunkBody.SHALLOW * largest > extent)
-                {
-                    // such long pushes come only from what is near the way, and that may be small
-                    _search.inflate(reach, up, down);
-                    collectRows(null);
-                    largest = largestExtentAmong(rows);
-                    searchAround();
-                }
-                _search.inflate(reach + ShrunkBody.SHALLOW * largest, up, down);
-                collectRows(filter);
-            }
-        }
-
-        /** The slop of a motion of at most this length is no larger, if the body and the rows near its way have no larger extents than this. */
-        public function maxSlop(length:Number, largest:Number):Number
-        {
-            var ground:ModelShape = _seen.table.shapes[ListedAgents.GROUND_ROW];
-            var cell:Number = ground == null ? 0 : ground.grid.cellWidth;
-            return ShrunkBody.slopOf(extent, largest, from, 2 * length + cell);
-        }
-
-        /** No row of the table has a larger extent, nor the body. It reads the ground too. */
-        public function get largestExtentBound():Number
-        {
-            return Math.max(extent, _seen.treeOfExtents().maxExtent);
-        }
-
         /** The largest extent of the body and some rows. */
         public function largestExtentAmong(rows:IntList):Number
         {
@@ -210,31 +148,6 @@ package starlogo.queries.motion
                 largest = Math.max(largest, 2 * bodyOf(rows.values[i]).maxHalf);
             }
             return largest;
-        }
-
-        // Begins a search around the body where it begins, without rows. Returns whether the body has a shape.
-        private function searchAround():Boolean
-        {
-            rows.count = 0;
-            if (hasShape)
-            {
-                _search.setAround(_seen.treeOfExtents(), moveTo(from));
-            }
-            return hasShape;
-        }
-
-        private function collectRows(filter:AgentFilter):void
-        {
-            var collector:Collector = _seen.beginCollecting(Collector.ALL, 1, agent, filter);
-            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
-            {
-                collector.add(row, 0);
-            }
-            var count:int = collector.end();
-            for (var i:int = 0; i < count; i++)
-            {
-                rows.add(collector.rowAt(i));
-            }
         }
 
         /** The body of a row. */

@@ -121,7 +121,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            body.warnIfInside(row, out);
+            warnOfInside(body, row, out);
             out.depth += shrunk.clearance;
             // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
             return body.bodyOf(row).kind != ModelShape.TREE || out.depth <= body.fullBody.halfAlong(out);
@@ -211,7 +211,7 @@ package starlogo.queries.motion
                 return false;
             }
             planes.add(_contact, row);
-            body.warnIfInside(row, _contact);
+            warnOfInside(body, row, _contact);
             return true;
         }
 

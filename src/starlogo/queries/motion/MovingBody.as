@@ -38,9 +38,6 @@ package starlogo.queries.motion
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const ONE_WAY_Z:Number = Math.SQRT1_2 - 1e-9;
 
-        // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
-        private static const WITH_ROOM:Number = 2.1;
-
         /** The body at its full size, not shrunk, where it was tested last. Only <code>moveTo()</code> moves it. Read only. */
         public var fullBody:Body = null;
 
@@ -162,6 +159,12 @@ package starlogo.queries.motion
             return _seen.narrowPhase;
         }
 
+        /** The tests of this body, full or shrunk, with a row. */
+        public function testsWith(row:int):PairTests
+        {
+            return narrowPhase.pairTestsFor(fullBody, bodyOf(row));
+        }
+
         /** Moves the full body to a place. Returns the body, which stays there until the next call. */
         public function moveTo(place:Vector3D):Body
         {
@@ -202,7 +205,7 @@ package starlogo.queries.motion
         public function findContact(row:int, place:Vector3D, mustSeparate:Boolean, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
+            var tests:PairTests = testsWith(row);
             tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
             if (mustSeparate || !isShallow(row, out))
             {
@@ -229,26 +232,6 @@ package starlogo.queries.motion
             }
             findContact(row, place, true, contact);
             return !isShallow(row, contact) || passesOneWay(row, contact);
-        }
-
-        /**
-         * Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
-         * too if all of the body begins inside of another structure, with room to spare: inside of the structure around a level, for example.
-         */
-        public function warnIfInside(row:int, contact:ContactPoint):void
-        {
-            var kind:int = bodyOf(row).kind;
-            var isTree:Boolean = kind == ModelShape.TREE;
-            var allowed:Number = fullBody.halfAlong(contact);
-            if (!isTree)
-            {
-                allowed *= WITH_ROOM;
-            }
-            if (kind != ModelShape.GROUND && contact.depth > allowed && !isShallow(row, contact))
-            {
-                var below:Number = fullBody.placement.r22 == 1 ? fullBody.halfZ - fullBody.offsetZ : 0;
-                warnOfInside(_seen.table.listed.agentsByRow, row, agent, fullBody.placement, below, contact.depth, isTree);
-            }
         }
     }
 }

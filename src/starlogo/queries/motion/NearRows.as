@@ -32,7 +32,7 @@ package starlogo.queries.motion
         {
             if (searchAround(body))
             {
-                _search.moveAlong(body.motion.x, body.motion.y, body.motion.z);
+                _search.moveAlong(body.motion);
                 collect(body, filter);
             }
         }

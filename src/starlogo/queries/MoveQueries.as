@@ -21,7 +21,8 @@ package starlogo.queries
 
     /**
      * Answers how far an agent or a structure can go, and where a character that walks comes to stand. Some questions move the agent there. The casts
-     * move nothing. AgentMotions says what each question means.
+     * move nothing. It owns all that moves a body. AgentQueries and AgentMotions have one each, and pass such questions on. AgentMotions says what
+     * each question means, and adds the tests of trees, which games that ask an AgentQueries have if they need them.
      *
      * @private
      */

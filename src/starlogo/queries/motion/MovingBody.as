@@ -1,5 +1,6 @@
-// This folder moves a MovingBody among the rows of a table: a Slider along what it meets, a TouchFinder up to a touch. Both sweep each motion by a
-// ShrunkSweep. It has a ShrunkBody, and a Depenetration that frees this from overlaps. The head of AgentMotions says in which order to read a walk.
+// This folder moves a MovingBody among the rows of a table, which NearRows finds: a Slider along what it meets, a TouchFinder up to a touch. Both sweep
+// each motion by a ShrunkSweep. It has a ShrunkBody, and a Depenetration that frees this from overlaps. The head of AgentMotions says in which order to
+// read a walk.
 // The words of this folder:
 // Shrunk body: the body, but smaller, at first by a slop on each side (ShrunkBody). Only what it meets stops the body, so the body may touch what it
 // stands on or runs along.

@@ -167,7 +167,7 @@ package starlogo.queries
                     var toY:Number = table.places.y[row] - body.placement.y;
                     var toZ:Number = table.places.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
-                    collector.add(row, row == ListedAgents.GROUND_ROW ? Number.MAX_VALUE : toX * toX + toY * toY + toZ * toZ);
+                    collector.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
                     if (collector.hasEnough)
                     {
                         break;

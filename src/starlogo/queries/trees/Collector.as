@@ -38,7 +38,7 @@ package starlogo.queries.trees
 
         private var _seen:SeenAgents;
 
-        // The rows that were found, and their keys. If accepts decides, the rows that it has admitted come first.
+        // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
         private var _rows:SortableIntList = new SortableIntList();
 
         // When this number of rows is found, the rows that are not wanted are dropped.
@@ -77,7 +77,7 @@ package starlogo.queries.trees
             return _seen.table.shapes[row] != null && filter.mayAdmit(row);
         }
 
-        /** Adds a row that the question has found, with a finite key. This may lower the limit. */
+        /** Adds a row that the question has found. This may lower the limit. */
         public function add(row:int, key:Number):void
         {
             _rows.add(row, key);
@@ -102,17 +102,58 @@ package starlogo.queries.trees
          */
         public function askAcceptsBelow(bound:Number):void
         {
+            var end:int = bound < Infinity ? bringForward(bound) : _rows.count;
+            if (end == _admitted)
+            {
+                return;
+            }
+            _rows.sortFirst(end, _seen.table.listed.listIndices);
+            admitTo(end);
+            if (_admitted == maxCount)
+            {
+                limit = -1;
+            }
+            // what was refused leaves
+            var kept:int = _admitted;
+            for (var i:int = end; i < _rows.count; i++)
+            {
+                move(i, kept);
+                kept++;
+            }
+            _rows.count = kept;
+        }
+
+        // Brings the rows whose keys are smaller than a bound to the front, behind the admitted ones. Returns where they end.
+        private function bringForward(bound:Number):int
+        {
+            var end:int = _admitted;
+            for (var i:int = end; i < _rows.count; i++)
+            {
+                var key:Number = _rows.keys[i];
+                if (key < bound)
+                {
+                    var row:int = _rows.values[i];
+                    move(end, i);
+                    _rows.values[end] = row;
+                    _rows.keys[end] = key;
+                    end++;
+                }
+            }
+            return end;
+        }
+
+        // Calls accepts for the rows behind the admitted ones, up to an index, until enough are admitted. They come first then.
+        private function admitTo(end:int):void
+        {
             var decide:Function = filter.accepts;
-            var next:int = _admitted;
-            sortRows();
             _seen.callbackDepth++;
             try
             {
-                for (; next < _rows.count && _rows.keys[next] < bound && _admitted < maxCount; next++)
+                for (var i:int = _admitted; i < end && _admitted < maxCount; i++)
                 {
-                    if (decide(agentAt(next)))
+                    if (decide(agentAt(i)))
                     {
-                        move(next, _admitted);
+                        move(i, _admitted);
                         _admitted++;
                     }
                 }
@@ -121,19 +162,6 @@ package starlogo.queries.trees
             {
                 _seen.callbackDepth--;
             }
-            if (_admitted == maxCount)
-            {
-                limit = -1;
-                next = _rows.count;
-            }
-            // what was refused leaves
-            var kept:int = _admitted;
-            for (; next < _rows.count; next++)
-            {
-                move(next, kept);
-                kept++;
-            }
-            _rows.count = kept;
         }
 
         private function move(from:int, to:int):void
@@ -159,13 +187,8 @@ package starlogo.queries.trees
         // Sorts the rows, and keeps those that are wanted.
         private function keepFirst():void
         {
-            sortRows();
-            _rows.count = Math.min(_rows.count, maxCount);
-        }
-
-        private function sortRows():void
-        {
             _rows.sortFirst(_rows.count, _seen.table.listed.listIndices);
+            _rows.count = Math.min(_rows.count, maxCount);
         }
 
         /** A row of the answer. */

@@ -1089,6 +1089,26 @@ test("while a game is developed, a lift that rises below a walker without an upd
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
+test("while a game is developed, a platform that moves after the update is warned of if others walk too, on the floor and with the same Footing", () => {
+	const { said } = printedBy(`${beginning("Agent, AgentQueries, BuiltInModel, Footing, GreatLand, TightestFitCollider", "starlogo-collision.js")}
+		const land = new GreatLand();
+		for (const model of [BuiltInModel.capsule(0.3, 1.8, "hero"), BuiltInModel.box(4, 4, 0.2, "lift")]) land.addModel(model);
+		const [lift, hero, floor, friend] = [new Agent("lift", "lifts"), new Agent("hero", "heroes"), new Agent("lift", "floors"), new Agent("hero", "friends")];
+		const queries = new AgentQueries(new TightestFitCollider(land));
+		const footing = new Footing();
+		floor.moveTo(6, 0, 0);
+		hero.moveTo(0, 0, 0.2);
+		friend.moveTo(6, 0, 0.2);
+		for (let i = 0; i < 40; i++) {
+			queries.update([lift, floor, hero, friend]);
+			lift.moveTo(0, 0, lift.z + 0.005);
+			for (const walker of [friend, hero]) queries.walk(walker, 0, 0, { fall: 0.2 }, footing);
+		}
+		console.log(JSON.stringify({ said }));`);
+	assert.equal(said.length, 1);
+	assert.match(said[0], /shape "lift"\) moves after queries\.update\(agents\), in 30 frames in turn, and then agent \d+ \(breed "heroes"/);
+});
+
 test("an error says that a point's numbers are passed one by one, while a game is developed", () => {
 	const program = (module) => `import { Agent } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		try { new Agent("cube").moveTo({ x: 1, y: 2, z: 3 }); } catch ({ message }) { console.log(message); }`;
@@ -1316,6 +1336,28 @@ test("while a game is developed, questions that have not seen what restore() has
 	assert.match(said[0], /questions do not see agent \d+ \(breed "coins", shape "sphere"\) where restore\(\) has put it: call queries\.update\(agents\) after restore\(\), before you ask$/);
 	assert.match(said[1], /agent \d+ .* is at the place of another agent, always: .*Object\.assign has copied.*"How is an agent copied\?"$/);
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
+});
+
+test("while a game is developed, motions that have not seen what restore() has put back are warned of", () => {
+	const program = (ask) => `${beginning("Agent, AgentMotions, BinCollider, Collision, SeenAgents, Sphere, Vector3D", "starlogo-collision.js")}
+		const agents = [new Agent("sphere", "heroes"), new Agent("sphere", "coins")];
+		const [hero, coin] = agents;
+		const collision = new Collision(new BinCollider());
+		const seen = new SeenAgents(collision);
+		const motions = new AgentMotions(seen);
+		collision.update(agents);
+		const bytes = collision.snapshot(true);
+		coin.moveTo(99, 0, 0);
+		seen.update(agents);
+		collision.restore(bytes, agents);
+		${ask};
+		console.log(JSON.stringify(said));`;
+	for (const ask of ["motions.castShape(new Sphere(new Vector3D(0, 0, 9), 1), 1, 0, 0)", "motions.slide(hero, 0, 0, 1)", "motions.walk(hero, 0, 0)"]) {
+		const said = printedBy(program(ask));
+		assert.equal(said.length, 1, ask);
+		assert.match(said[0], /questions do not see agent \d+ \(breed "coins", shape "sphere"\) where restore\(\) has put it/, ask);
+	}
+	assert.deepEqual(printedBy(program("seen.update(agents); motions.slide(hero, 0, 0, 1)")), []);
 });
 
 test("while a game is developed, a model's name that is misspelt is warned of, once", () => {

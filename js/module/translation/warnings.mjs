@@ -48,7 +48,10 @@ const WARNINGS = new Map([
 const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.(?:Collision|Contact)|queries\.(?:Footing|LevelShapes|RayHit|ShapeHit))$/;
 
 /** Classes whose methods with a filter are questions about a SeenAgents. */
-const ASKING = /^starlogo\.queries\.Agent(?:Places|Queries|Rays)$/;
+const ASKING = /^starlogo\.queries\.Agent(?:Motions|Places|Queries|Rays)$/;
+
+/** What a class of questions sees, if it keeps no SeenAgents itself. */
+const SEEN_BY = { "starlogo.queries.AgentMotions": "this._moves._seen" };
 
 /** The numbers of a question that may be negative: all others are refused then. */
 const COORDINATES = /^d?[xyz]$/;
@@ -69,7 +72,7 @@ export function warningsOf(qname, name, kind, parameters) {
 function warningsOfQuestion(qname, name, parameters) {
 	const numbers = parameters.filter((each) => /^(?:Number|int)$/.test(each.type) && !COORDINATES.test(each.name)).map((each) => each.name);
 	const call = `${qname.split(".").at(-1)}.${name}`;
-	return ["$warnOfStale(this._seen, null, null);", ...numbers.map((number) => `$refuseNegative("${call}: ${number}", ${number});`)];
+	return [`$warnOfStale(${SEEN_BY[qname] ?? "this._seen"}, null, null);`, ...numbers.map((number) => `$refuseNegative("${call}: ${number}", ${number});`)];
 }
 
 /** What a method, or a setting that gets another value, says then. */

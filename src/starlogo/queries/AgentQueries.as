@@ -36,6 +36,9 @@ package starlogo.queries
      * <p>The agents of the ground and of the edges of the world have no place. Questions that begin at an agent's place refuse them with an
      * ArgumentError.</p>
      *
+     * <p>Where an agent goes or stands is three numbers, as in <code>moveTo()</code>. A point that belongs to no agent, and the direction of a
+     * ray, are vectors.</p>
+     *
      * <p>Points and structures have to be in the world, as agents are: between -1e9 and 1e9 patches along each axis. A structure is in the world
      * if its middle is, and half of its length along each axis is at most 1e9. All else is refused with a RangeError, before anything changes.</p>
      *

@@ -189,8 +189,8 @@ package starlogo.queries
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
             var collector:Collector = _seen.beginCollecting(maxCount, maxDistance, null, filter);
-            _search.setTo(_seen.treeOfExtents(), _ray.origin.x, _ray.origin.y, _ray.origin.z);
-            _search.moveAlong(_ray.direction.x, _ray.direction.y, _ray.direction.z);
+            _search.setTo(_seen.treeOfExtents(), _ray.origin);
+            _search.moveAlong(_ray.direction);
             return collector;
         }
 

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
+    import starlogo.queries.motion.NearRows;
     import starlogo.queries.motion.PlatformCarry;
     import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.TouchFinder;
@@ -20,7 +21,8 @@ package starlogo.queries
 
     /**
      * Answers how far an agent or a structure can go, and where a character that walks comes to stand. Some questions move the agent there. The casts
-     * move nothing. AgentMotions says what each question means.
+     * move nothing. It owns all that moves a body. AgentQueries and AgentMotions have one each, and pass such questions on. AgentMotions says what
+     * each question means, and adds the tests of trees, which games that ask an AgentQueries have if they need them.
      *
      * @private
      */
@@ -30,6 +32,7 @@ package starlogo.queries
 
         private var _seen:SeenAgents;
 
+        private var _near:NearRows;
         private var _slider:Slider = new Slider();
         private var _platforms:PlatformCarry;
         private var _planner:WalkPlanner;
@@ -43,9 +46,10 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
+            _near = new NearRows(seen);
             _writer = new HitWriter(seen, ShapeHit);
             _platforms = new PlatformCarry(seen, _slider);
-            _planner = new WalkPlanner(seen, _slider, _platforms);
+            _planner = new WalkPlanner(seen, _near, _slider, _platforms);
             _bodyPool = new NestedPool(seen, MovingBody);
         }
 
@@ -122,7 +126,7 @@ package starlogo.queries
         {
             _seen.requireMovable(agent, "slide");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
-            body.collectRowsWithin(body.motion.length, 0, 0, filter);
+            _near.findWithin(body, body.motion.length, 0, 0, filter);
             return body;
         }
 
@@ -181,7 +185,7 @@ package starlogo.queries
         // other questions, which use the same results.
         private function findTouches(body:MovingBody, filter:AgentFilter):MotionResult
         {
-            body.collectRowsAlong(filter);
+            _near.findAlong(body, filter);
             return _touchFinder.findTouches(body);
         }
 

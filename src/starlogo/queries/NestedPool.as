@@ -9,7 +9,7 @@ package starlogo.queries
      * another question while a question is under way. That one has the next object, by the depth of nesting (SeenAgents.callbackDepth).
      *
      * <p><code>accepts</code> is called by Collector.askAcceptsBelow alone: in NearSearch.find, between nodes, and where a search ends
-     * (<code>Collector.end()</code>, and what calls it, for example MovingBody.collectRowsAlong and PlatformCarry.find). After such a call a
+     * (<code>Collector.end()</code>, and what calls it, for example NearRows.findAlong and PlatformCarry.find). After such a call a
      * question may use its arguments, its locals, and its objects of this kind: a Collector, a NearSearch, a MovingBody, a WalkState, or the
      * RayHits of a ray. A nested question may have written all other fields of the classes that answer questions: the SweptBoxSearch, the ray, a
      * motion, its result, what a Slider or a WalkPlanner computes with. A question writes these before it reads them, and ends with them before the

@@ -22,14 +22,14 @@ const $LONG_PLAY_WITHOUT_FRAMES = 300;
 /**
  * Of questions: how many restores there were before their last update; how many updates they had before their Collision's first, after how many of
  * these they moved an agent, the first such agent, and where it was; the list of their last update, and when it was; the first agent that they have
- * moved since, and how often; where the list's first agents are once that is long ago; in how many frames in turn a platform moved late; the agents
+ * moved since, and how often; where the list's first agents are once that is long ago; by rider, in how many frames in turn its platform moved late; the agents
  * that the questions move themselves.
  */
 const $questions = /* @__PURE__ */ new WeakMap();
 
 function $newQuestions() {
 	return {
-		restores: 0, updatesBefore: 0, playedBefore: 0, player: null, start: null, agents: null, updated: 0, walker: null, walks: 0, lates: 0, places: null, movers: new WeakSet(),
+		restores: 0, updatesBefore: 0, playedBefore: 0, player: null, start: null, agents: null, updated: 0, walker: null, walks: 0, lates: new WeakMap(), places: null, movers: new WeakSet(),
 	};
 }
 
@@ -63,10 +63,11 @@ export function $warnOfStale(queries, agents, mover) {
 		kept.movers.add(mover);
 		kept.walker ??= mover;
 		if (mover === kept.walker) kept.walks++;
-		if (mover === $lastWalk?.agent) $countLate(kept, queries, mover);
+		if (mover === $lastWalk?.agent) $countLate(kept, queries, mover); // a walk, not another motion
 	}
 	const frames = $updates - kept.updated;
-	const platform = kept.walks < $MANY_WALKS ? null : $movedBelow(queries, kept.walker);
+	const below = kept.walks >= $MANY_WALKS && kept.walker === $lastWalk?.agent ? $lastWalk.footing.on : null;
+	const platform = $ifMoved(queries, below);
 	if (platform) $reportStale(platform, `${kept.walks} motions of ${kept.walker}, which stands on it,`);
 	if (Math.max(frames, kept.walks) < $LONG_WITHOUT_UPDATE) return;
 	kept.places ??= kept.agents.slice(0, $MOST_PLACES).filter((agent) => agent).map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z }));
@@ -86,10 +87,11 @@ function $lookAtRestored(kept, queries) {
 
 /** Warns of a platform that has moved since the update of its frame when its rider is moved, in many frames in turn. */
 function $countLate(kept, queries, rider) {
-	const platform = $movedBelow(queries, rider);
-	kept.lates = platform ? kept.lates + 1 : 0;
-	if (kept.lates !== $MANY_WALKS || kept.walks >= $MANY_WALKS) return;
-	$warn(`${platform} moves after queries.update(agents), in ${kept.lates} frames in turn, and then ${rider} moves, which stands on it: `
+	const platform = $ifMoved(queries, rider.$platformLink?.platform);
+	const lates = platform ? (kept.lates.get(rider) ?? 0) + 1 : 0;
+	kept.lates.set(rider, lates);
+	if (lates !== $MANY_WALKS || kept.walks >= $MANY_WALKS) return;
+	$warn(`${platform} moves after queries.update(agents), in ${lates} frames in turn, and then ${rider} moves, which stands on it: `
 		+ "move it before the update. See docs/queries.md in the package, \"The order of a frame\"", "late platform");
 }
 
@@ -98,11 +100,10 @@ function $reportStale(agent, since) {
 		+ "call it once a frame, or refresh(agent)", "stale");
 }
 
-/** What a walker stood on after its last walk, if it has moved since questions have seen it; else null. */
-function $movedBelow(queries, walker) {
-	const { agent, footing } = $lastWalk ?? {};
-	const isListed = agent === walker && footing.on && queries.$table.listed.rowOf(footing.on) >= 0;
-	return isListed && $hasMovedSince(queries, footing.on) ? footing.on : null;
+/** What a walker stands on, if it has moved since questions have seen it; else null. */
+function $ifMoved(queries, platform) {
+	const isListed = platform && queries.$table.listed.rowOf(platform) >= 0;
+	return isListed && $hasMovedSince(queries, platform) ? platform : null;
 }
 
 /** Whether an agent is elsewhere than questions have seen it, or they have not seen it. */

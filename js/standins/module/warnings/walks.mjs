@@ -127,12 +127,24 @@ export function $warnOfJump(platform, x, y) {
 	$warn(`${platform} is moved by jumpTo() while ${agent} stands on it. A jump carries nobody: a platform that moves has moveTo()`, "jump");
 }
 
+/** A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not. */
+const $WITH_ROOM = 2.1;
+
 /**
  * Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles, or whose
- * structure has all that moves inside. See warnOfInside.as. `agent` is null if a structure is cast.
+ * structure has all that moves inside. See warnOfInside.as.
  */
-export function $warnOfInside(agents, row, agent, place, below, depth, isTree) {
+export function $warnOfInside(body, row, contact) {
+	const agents = body._seen.$table.listed.agentsByRow;
 	const level = agents[row];
+	const isTree = body.bodyOf(row).shape.$tree !== null;
+	const { agent, fullBody } = body; // agent is null if a structure is cast
+	const { placement: place } = fullBody;
+	const { depth } = contact;
+	const allowed = (isTree ? 1 : $WITH_ROOM) * fullBody.halfAlong(contact);
+	if (level.$isEnvironment || depth <= allowed || body.isShallow(row, contact)) return;
+	// how far its lowest point is below its place, if it does not lean
+	const below = place.r22 === 1 ? fullBody.halfZ - fullBody.offsetZ : 0;
 	const name = agent ?? "a structure that is cast";
 	const key = `inside ${level.shape} ${agent?.shape}`;
 	const rider = agent && agents.find((each) => each?.$platformLink?.platform === agent);

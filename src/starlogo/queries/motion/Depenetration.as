@@ -44,9 +44,13 @@ package starlogo.queries.motion
         private var _pushedPlace:Vector3D = new Vector3D();
         private var _lastPush:ContactPoint = new ContactPoint();
 
-        // A contact, and a place, within one call.
+        // Pushes off touches, which no motion takes back.
+        private var _uncounted:ContactList = new ContactList();
+
+        // A contact, a place, and the way from there to the body, within one call.
         private var _contact:ContactPoint = new ContactPoint();
         private var _touchingPlace:Vector3D = new Vector3D();
+        private var _beside:Vector3D = new Vector3D();
 
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts. The motion has begun it.
@@ -58,14 +62,14 @@ package starlogo.queries.motion
          */
         public function depenetrate(start:Vector3D, obstacles:IntList, planes:ContactList, pushes:ContactList):void
         {
-            if (replaceByPlanes(start, obstacles, planes, false) && !pushOutOfShallow(start, obstacles, pushes))
+            if (replaceByPlanes(start, obstacles, planes, false) && !pushAway(obstacles, false, start, pushes))
             {
                 replaceByPlanes(start, obstacles, planes, true);
             }
             if (shrunk.isFlat && planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOffTouches(obstacles, start);
+                pushAway(obstacles, true, start, _uncounted);
             }
         }
 
@@ -78,7 +82,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             shrunk.begin(body, body.rows, place, NO_MOTION);
-            pushOffTouches(body.rows, place);
+            pushAway(body.rows, true, place, _uncounted);
         }
 
         /**
@@ -117,31 +121,30 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            body.warnIfInside(row, out);
+            warnOfInside(body, row, out);
             out.depth += shrunk.clearance;
             // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
             return body.bodyOf(row).kind != ModelShape.TREE || out.depth <= body.fullBody.halfAlong(out);
         }
 
-        // Pushes the body out of the obstacles that the shrunk body overlaps. Returns whether it gets free. If an overlap is deep, or if the body is between two
-        // rows, it stays where it is, and there are no pushes.
-        private function pushOutOfShallow(start:Vector3D, obstacles:IntList, pushes:ContactList):Boolean
+        // Pushes the body, in rounds: out of rows that the shrunk body overlaps, or a clearance off rows that the body touches. Returns whether it gets free.
+        // If an overlap is too deep for a push, or if the body is between two rows, it stays where it is, and there are no pushes.
+        private function pushAway(rows:IntList, offTouches:Boolean, place:Vector3D, pushes:ContactList):Boolean
         {
             var push:ContactPoint = _contact;
-            beginPushes(start);
             var isFree:Boolean = false;
+            _pushedPlace.copyFrom(place);
+            _lastPush.setNormal(0, 0, 0);
+            pushes.clear();
             for (var round:int = 0; !isFree; round++)
             {
                 isFree = true;
-                for (var i:int = 0; i < obstacles.count; i++)
+                for (var i:int = 0; i < rows.count; i++)
                 {
-                    var row:int = obstacles.values[i];
-                    if (shrunk.touches(row, _pushedPlace))
+                    var row:int = rows.values[i];
+                    if (offTouches ? findPushOff(row, round, push) : findPushOut(row, round, push))
                     {
-                        findContactOfPush(row, _pushedPlace, round, push);
-                        var isShallow:Boolean = shrunk.body.isShallow(row, push);
-                        push.depth += shrunk.clearance;
-                        if (!isShallow || !tryPush(push, round))
+                        if (!tryPush(push, round))
                         {
                             pushes.clear();
                             return false;
@@ -151,45 +154,16 @@ package starlogo.queries.motion
                     }
                 }
             }
-            start.copyFrom(_pushedPlace);
+            place.copyFrom(_pushedPlace);
             return true;
         }
 
-        // Pushes the body a clearance off the rows that it touches. If it is between two of them, it stays where it is.
-        private function pushOffTouches(rows:IntList, place:Vector3D):void
-        {
-            beginPushes(place);
-            var isFree:Boolean = false;
-            for (var round:int = 0; !isFree; round++)
-            {
-                isFree = true;
-                for (var i:int = 0; i < rows.count; i++)
-                {
-                    if (findPushOff(rows.values[i], round, _contact))
-                    {
-                        if (!tryPush(_contact, round))
-                        {
-                            return;
-                        }
-                        isFree = false;
-                    }
-                }
-            }
-            place.copyFrom(_pushedPlace);
-        }
-
-        private function beginPushes(place:Vector3D):void
-        {
-            _pushedPlace.copyFrom(place);
-            _lastPush.setNormal(0, 0, 0);
-        }
-
-        // Pushes the body. Returns whether it does: not if the body is between two rows, or after too many rounds.
+        // Pushes the body. Returns whether it does: not if the push is infinite, if the body is between two rows, or after too many rounds.
         private function tryPush(push:ContactPoint, round:int):Boolean
         {
             // a flat body may be led back in the first round: of the two ways out of a sheet, one may lead into the next row
             var isBetween:Boolean = leadsBack(push) && !(shrunk.isFlat && round == 0);
-            if (isBetween || round == MAX_ROUNDS)
+            if (isBetween || round == MAX_ROUNDS || push.depth == Infinity)
             {
                 return false;
             }
@@ -237,7 +211,23 @@ package starlogo.queries.motion
                 return false;
             }
             planes.add(_contact, row);
-            body.warnIfInside(row, _contact);
+            warnOfInside(body, row, _contact);
+            return true;
+        }
+
+        // Finds a push out of a row that the shrunk body overlaps. It is infinite if the overlap is deep. Returns whether there is an overlap.
+        private function findPushOut(row:int, round:int, out:ContactPoint):Boolean
+        {
+            if (!shrunk.touches(row, _pushedPlace))
+            {
+                return false;
+            }
+            findContactOfPush(row, _pushedPlace, round, out);
+            if (!shrunk.body.isShallow(row, out))
+            {
+                out.depth = Infinity;
+            }
+            out.depth += shrunk.clearance;
             return true;
         }
 
@@ -257,15 +247,14 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            var toX:Number = _pushedPlace.x - place.x;
-            var toY:Number = _pushedPlace.y - place.y;
-            var toZ:Number = _pushedPlace.z - place.z;
+            _beside.copyFrom(_pushedPlace);
+            _beside.decrementBy(place);
             // how far the body is along the normal already
-            var ahead:Number = out.normalX * toX + out.normalY * toY + out.normalZ * toZ;
+            var ahead:Number = out.along(_beside);
             if (ahead < 0)
             {
                 // the body is so thin that the shortest way out there leads to the other side of the row: it goes on from the row along the axis
-                out.setNormal(toX, toY, toZ);
+                out.setNormal(_beside.x, _beside.y, _beside.z);
                 out.normalise();
                 out.depth = shrunk.clearance;
             }

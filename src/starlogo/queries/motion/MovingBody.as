@@ -1,5 +1,6 @@
-// This folder moves a MovingBody among the rows of a table: a Slider along what it meets, a TouchFinder up to a touch. Both sweep each motion by a
-// ShrunkSweep. It has a ShrunkBody, and a Depenetration that frees this from overlaps. The head of AgentMotions says in which order to read a walk.
+// This folder moves a MovingBody among the rows of a table, which NearRows finds: a Slider along what it meets, a TouchFinder up to a touch. Both sweep
+// each motion by a ShrunkSweep. It has a ShrunkBody, and a Depenetration that frees this from overlaps. The head of AgentMotions says in which order to
+// read a walk.
 // The words of this folder:
 // Shrunk body: the body, but smaller, at first by a slop on each side (ShrunkBody). Only what it meets stops the body, so the body may touch what it
 // stands on or runs along.
@@ -18,22 +19,18 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
-    import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.trees.Collector;
-    import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.StructureBody;
     import starlogo.search.pairs.PairTests;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
     /**
-     * A body that moves and the rows near its way, for the classes that move it: they know rows only through it. It asks NarrowPhase whether the body
-     * touches a row, and how it overlaps the row, at the places that a motion tries.
+     * A body that moves and the rows near its way, for the classes that move it: they know rows only through it. It tests whether the body touches a
+     * row, and how it overlaps the row, at the places that a motion tries.
      *
      * @private
      */
@@ -42,13 +39,10 @@ package starlogo.queries.motion
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const ONE_WAY_Z:Number = Math.SQRT1_2 - 1e-9;
 
-        // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
-        private static const WITH_ROOM:Number = 2.1;
-
         /** The body at its full size, not shrunk, where it was tested last. Only <code>moveTo()</code> moves it. Read only. */
         public var fullBody:Body = null;
 
-        /** The rows that count and are near its way, in the order of the list. Read only. */
+        /** The rows that count and are near its way, in the order of the list. NearRows finds them. */
         public var rows:IntList = new IntList();
 
         /** The agent whose body it is, which does not count among the rows; null for the body of a structure. Read only. */
@@ -59,9 +53,6 @@ package starlogo.queries.motion
         public var motion:Vector3D = new Vector3D();
 
         private var _seen:SeenAgents;
-
-        // Finds the rows near its way.
-        private var _search:SweptBoxSearch = new SweptBoxSearch();
 
         // A copy of the body of an agent, because a filter's accepts may move the agent; and what makes the body of a structure.
         private var _copy:Body = new Body();
@@ -146,61 +137,6 @@ package starlogo.queries.motion
             return 2 * fullBody.maxHalf;
         }
 
-        /**
-         * Finds the rows near the wanted motion, if it is straight.
-         *
-         * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
-         */
-        public function collectRowsAlong(filter:AgentFilter):void
-        {
-            if (searchAround())
-            {
-                _search.moveAlong(motion.x, motion.y, motion.z);
-                collectRows(filter);
-            }
-        }
-
-        /**
-         * Finds the rows near motions that are not known yet, and near the pushes with which they begin.
-         *
-         * @param range how far it may go in any direction, without pushes
-         * @param up how much farther than the range it may go upwards
-         * @param down how much farther than the range it may go downwards
-         * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
-         */
-        public function collectRowsWithin(range:Number, up:Number, down:Number, filter:AgentFilter):void
-        {
-            if (searchAround())
-            {
-                var largest:Number = largestExtentBound;
-                var reach:Number = range + maxSlop(range, largest);
-                if (ShrunkBody.SHALLOW * largest > extent)
-                {
-                    // such long pushes come only from what is near the way, and that may be small
-                    _search.inflate(reach, up, down);
-                    collectRows(null);
-                    largest = largestExtentAmong(rows);
-                    searchAround();
-                }
-                _search.inflate(reach + ShrunkBody.SHALLOW * largest, up, down);
-                collectRows(filter);
-            }
-        }
-
-        /** The slop of a motion of at most this length is no larger, if the body and the rows near its way have no larger extents than this. */
-        public function maxSlop(length:Number, largest:Number):Number
-        {
-            var ground:ModelShape = _seen.table.shapes[ListedAgents.GROUND_ROW];
-            var cell:Number = ground == null ? 0 : ground.grid.cellWidth;
-            return ShrunkBody.slopOf(extent, largest, from, 2 * length + cell);
-        }
-
-        /** No row of the table has a larger extent, nor the body. It reads the ground too. */
-        public function get largestExtentBound():Number
-        {
-            return Math.max(extent, _seen.treeOfExtents().maxExtent);
-        }
-
         /** The largest extent of the body and some rows. */
         public function largestExtentAmong(rows:IntList):Number
         {
@@ -210,31 +146,6 @@ package starlogo.queries.motion
                 largest = Math.max(largest, 2 * bodyOf(rows.values[i]).maxHalf);
             }
             return largest;
-        }
-
-        // Begins a search around the body where it begins, without rows. Returns whether the body has a shape.
-        private function searchAround():Boolean
-        {
-            rows.count = 0;
-            if (hasShape)
-            {
-                _search.setAround(_seen.treeOfExtents(), moveTo(from));
-            }
-            return hasShape;
-        }
-
-        private function collectRows(filter:AgentFilter):void
-        {
-            var collector:Collector = _seen.beginCollecting(Collector.ALL, 1, agent, filter);
-            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
-            {
-                collector.add(row, 0);
-            }
-            var count:int = collector.end();
-            for (var i:int = 0; i < count; i++)
-            {
-                rows.add(collector.rowAt(i));
-            }
         }
 
         /** The body of a row. */
@@ -247,6 +158,12 @@ package starlogo.queries.motion
         public function get narrowPhase():NarrowPhase
         {
             return _seen.narrowPhase;
+        }
+
+        /** The tests of this body, full or shrunk, with a row. */
+        public function testsWith(row:int):PairTests
+        {
+            return narrowPhase.pairTestsFor(fullBody, bodyOf(row));
         }
 
         /** Moves the full body to a place. Returns the body, which stays there until the next call. */
@@ -289,7 +206,7 @@ package starlogo.queries.motion
         public function findContact(row:int, place:Vector3D, mustSeparate:Boolean, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
+            var tests:PairTests = testsWith(row);
             tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
             if (mustSeparate || !isShallow(row, out))
             {
@@ -316,26 +233,6 @@ package starlogo.queries.motion
             }
             findContact(row, place, true, contact);
             return !isShallow(row, contact) || passesOneWay(row, contact);
-        }
-
-        /**
-         * Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
-         * too if all of the body begins inside of another structure, with room to spare: inside of the structure around a level, for example.
-         */
-        public function warnIfInside(row:int, contact:ContactPoint):void
-        {
-            var kind:int = bodyOf(row).kind;
-            var isTree:Boolean = kind == ModelShape.TREE;
-            var allowed:Number = fullBody.halfAlong(contact);
-            if (!isTree)
-            {
-                allowed *= WITH_ROOM;
-            }
-            if (kind != ModelShape.GROUND && contact.depth > allowed && !isShallow(row, contact))
-            {
-                var below:Number = fullBody.placement.r22 == 1 ? fullBody.halfZ - fullBody.offsetZ : 0;
-                warnOfInside(_seen.table.listed.agentsByRow, row, agent, fullBody.placement, below, contact.depth, isTree);
-            }
         }
     }
 }

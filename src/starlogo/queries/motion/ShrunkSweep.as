@@ -194,10 +194,8 @@ package starlogo.queries.motion
                 return ofPlane;
             }
             setAlong(from, motion, 1, _end);
-            shrunk.body.moveTo(_end);
-            var other:Body = shrunk.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            shrunk.body.narrowPhase.pairTestsFor(fullBody, other).findImpactOfSurfaces(fullBody, other, _relative, null);
+            shrunk.body.testsWith(impact.row).findImpactOfSurfaces(shrunk.body.moveTo(_end), shrunk.body.bodyOf(impact.row), _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));
@@ -285,7 +283,7 @@ package starlogo.queries.motion
                 _relative.time = RelativeMotion.NEVER;
                 return;
             }
-            var tests:PairTests = shrunk.body.narrowPhase.pairTestsFor(moved, other);
+            var tests:PairTests = shrunk.body.testsWith(row);
             if (isStart || other.kind == ModelShape.GROUND)
             {
                 tests.findImpactOfSolids(moved, other, _relative, out);

@@ -45,6 +45,7 @@ package starlogo.queries.motion
         // The walk of a question.
         private var _walkPool:NestedPool;
 
+        private var _near:NearRows;
         private var _slider:Slider;
         private var _platforms:PlatformCarry;
         private var _floorFinder:FloorFinder;
@@ -56,11 +57,13 @@ package starlogo.queries.motion
 
         /**
          * @param seen has the rows
+         * @param near finds the rows near its way
          * @param slider moves the agent
          * @param platforms carries and lifts the agent
          */
-        public function WalkPlanner(seen:SeenAgents, slider:Slider, platforms:PlatformCarry)
+        public function WalkPlanner(seen:SeenAgents, near:NearRows, slider:Slider, platforms:PlatformCarry)
         {
+            _near = near;
             _slider = slider;
             _walkPool = new NestedPool(seen, WalkState);
             _platforms = platforms;
@@ -119,15 +122,15 @@ package starlogo.queries.motion
             var body:MovingBody = walk.body;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
             var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + maxSlideDepth(walk) / 2 + walk.carry.length + distance;
-            range += maxFloorDistanceAmong(walk, body.largestExtentBound);
-            body.collectRowsWithin(range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
+            range += maxFloorDistanceAmong(walk, _near.largestExtentFor(body));
+            _near.findWithin(body, range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
             walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtentAmong(body.rows));
         }
 
         // How far below the agent its floor may be, among rows of at most this extent.
-        private static function maxFloorDistanceAmong(walk:WalkState, largest:Number):Number
+        private function maxFloorDistanceAmong(walk:WalkState, largest:Number):Number
         {
-            return Math.max(FLOOR_DISTANCE * walk.body.extent, FLOOR_SLOPS * walk.body.maxSlop(walk.substepLength, largest));
+            return Math.max(FLOOR_DISTANCE * walk.body.extent, FLOOR_SLOPS * _near.maxSlop(walk.body, walk.substepLength, largest));
         }
 
         // Pushes the agent out of what it overlaps, and lets it stand if there is a floor.

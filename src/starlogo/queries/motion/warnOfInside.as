@@ -1,22 +1,18 @@
 package starlogo.queries.motion
 {
-    import starlogo.agents.Agent;
-    import starlogo.geometry.Placement;
+    import starlogo.convex.ContactPoint;
 
     /**
-     * Warns that an agent does not stop a motion, or pushes what moves out, because the motion begins deep inside of it. Such motions may come
+     * Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns too if
+     * all of the body begins inside of another structure, with room to spare: inside of the structure around a level, for example. Such motions may come
      * in every frame. So in ActionScript this does nothing. The ES module has its own version, which warns once.
      *
-     * @param agents by row: the agents that there are; null for a free row
-     * @param row the row of the agent that the motion begins in
-     * @param agent the agent that moves; null if a structure is cast
-     * @param place where it begins
-     * @param below how far its lowest point is below its place; 0 if it leans
-     * @param depth how deep inside it is
-     * @param isTree whether the agent collides as its tree or its triangles, which do not stop the motion
+     * @param body the body where its motion begins
+     * @param row the row that it overlaps
+     * @param contact the contact of the two
      * @private
      */
-    public function warnOfInside(agents:Vector.<Agent>, row:int, agent:Agent, place:Placement, below:Number, depth:Number, isTree:Boolean):void
+    public function warnOfInside(body:MovingBody, row:int, contact:ContactPoint):void
     {
     }
 }

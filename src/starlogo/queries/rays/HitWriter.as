@@ -29,7 +29,8 @@ package starlogo.queries.rays
         private var _type:Class;
         private var _spare:Array = [];
 
-        // From the point to each corner of the triangle: x, y, z of each; and the triangle's point that is nearest to the point.
+        // The point in the space of the model. From it to each corner of the triangle: x, y, z of each; and the triangle's point that is nearest to the point.
+        private var _inModel:Vector3D = new Vector3D();
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nearest:NearestPoint = new NearestPoint();
 
@@ -127,18 +128,17 @@ package starlogo.queries.rays
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void
         {
-            var x:Number = (point.x - placement.x) / placement.size;
-            var y:Number = (point.y - placement.y) / placement.size;
-            var z:Number = (point.z - placement.z) / placement.size;
-            var inX:Number = placement.r00 * x + placement.r10 * y + placement.r20 * z;
-            var inY:Number = placement.r01 * x + placement.r11 * y + placement.r21 * z;
-            var inZ:Number = placement.r02 * x + placement.r12 * y + placement.r22 * z;
+            var inModel:Vector3D = _inModel;
+            inModel.x = (point.x - placement.x) / placement.size;
+            inModel.y = (point.y - placement.y) / placement.size;
+            inModel.z = (point.z - placement.z) / placement.size;
+            Placement.rotateBack(placement, inModel, inModel);
             for (var i:int = 0; i < 3; i++)
             {
                 var vertex:int = 3 * tree.triangles[corner + i];
-                _corners[int(3 * i)] = tree.vertices[vertex] - inX;
-                _corners[int(3 * i + 1)] = tree.vertices[int(vertex + 1)] - inY;
-                _corners[int(3 * i + 2)] = tree.vertices[int(vertex + 2)] - inZ;
+                _corners[int(3 * i)] = tree.vertices[vertex] - inModel.x;
+                _corners[int(3 * i + 1)] = tree.vertices[int(vertex + 1)] - inModel.y;
+                _corners[int(3 * i + 2)] = tree.vertices[int(vertex + 2)] - inModel.z;
             }
         }
     }

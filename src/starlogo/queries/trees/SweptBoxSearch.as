@@ -1,5 +1,6 @@
 package starlogo.queries.trees
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.data.SortableIntList;
     import starlogo.engine;
@@ -37,12 +38,12 @@ package starlogo.queries.trees
          *
          * @param tree has the rows
          */
-        public function setTo(tree:RowTree, x:Number, y:Number, z:Number):void
+        public function setTo(tree:RowTree, place:Vector3D):void
         {
-            _box[0] = _box[3] = x;
-            _box[1] = _box[4] = y;
-            _box[2] = _box[5] = z;
-            begin(tree, RowTree.slackOf(x, y, z, 0, 0));
+            _box[0] = _box[3] = place.x;
+            _box[1] = _box[4] = place.y;
+            _box[2] = _box[5] = place.z;
+            begin(tree, RowTree.slackOf(place.x, place.y, place.z, 0, 0));
         }
 
         /**
@@ -98,11 +99,11 @@ package starlogo.queries.trees
         }
 
         /** Lets the box move. */
-        public function moveAlong(dx:Number, dy:Number, dz:Number):void
+        public function moveAlong(motion:Vector3D):void
         {
-            _inverse[0] = dx == 0 ? 0 : 1 / dx;
-            _inverse[1] = dy == 0 ? 0 : 1 / dy;
-            _inverse[2] = dz == 0 ? 0 : 1 / dz;
+            _inverse[0] = motion.x == 0 ? 0 : 1 / motion.x;
+            _inverse[1] = motion.y == 0 ? 0 : 1 / motion.y;
+            _inverse[2] = motion.z == 0 ? 0 : 1 / motion.z;
         }
 
         /**

@@ -47,7 +47,7 @@ package starlogo.queries.motion
                 from.setTo(agents[0].x, agents[0].y, agents[0].z);
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
                 body.aim(motion.x, motion.y, motion.z);
-                body.collectRowsAlong(null);
+                new NearRows(seen).findAlong(body, null);
                 sweep.shrunk.begin(body, body.rows, from, motion);
                 sweep.obstacles.copyFrom(body.rows);
                 var impact:Impact = sweep.findFirstImpact(from, motion);

@@ -26,7 +26,7 @@ package starlogo.queries.motion
             var body:MovingBody = new MovingBody(seen);
             var from:Vector3D = new Vector3D(0, 0, 1.5);
             body.setToAgent(agent);
-            body.collectRowsWithin(1, 0, 0, null);
+            new NearRows(seen).findWithin(body, 1, 0, 0, null);
             var result:MotionResult = slider.slide(body, body.rows, from, new Vector3D(0, 0, -1));
             assertTrue("it met the cube below: " + result.contact.normalZ, Math.abs(result.contact.normalZ - 1) < 1e-9);
             result = slider.slide(body, body.rows, from, new Vector3D());
@@ -44,7 +44,7 @@ package starlogo.queries.motion
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0), agentAt("cube", 1.5, 0, 3)]);
             var body:MovingBody = new MovingBody(seen);
             body.setToAgent(agent);
-            body.collectRowsWithin(4, 0, 0, null);
+            new NearRows(seen).findWithin(body, 4, 0, 0, null);
             var slid:Vector3D = slider.slide(body, body.rows, body.from, new Vector3D(-0.5, 0.1, 0)).place;
             var expected:Vector3D = slid.clone();
             var dropped:Vector3D = slider.moveVertically(body, slid, -1).place;
@@ -68,11 +68,11 @@ package starlogo.queries.motion
             large.size = 1e6;
             seen.update(new <Agent>[agent, large, agentAt("cube", 1.5, 0, 0), agentAt("cube", 2.5, 0, 0)]);
             body.setToAgent(agent);
-            body.collectRowsWithin(1, 0, 0, null);
+            new NearRows(seen).findWithin(body, 1, 0, 0, null);
             assertEquals(1, body.rows.count);
             large.moveTo(0, 0, -1e6 - 0.5);
             seen.update(new <Agent>[agent, large, agentAt("cube", 1.5, 0, 0), agentAt("cube", 2.5, 0, 0)]);
-            body.collectRowsWithin(1, 0, 0, null);
+            new NearRows(seen).findWithin(body, 1, 0, 0, null);
             assertEquals(3, body.rows.count);
         }
 
@@ -87,7 +87,7 @@ package starlogo.queries.motion
             seen.update(new <Agent>[agent, rock]);
             var body:MovingBody = new MovingBody(seen);
             body.setToAgent(agent);
-            body.collectRowsWithin(1, 0, 0, null);
+            new NearRows(seen).findWithin(body, 1, 0, 0, null);
             var motion:Vector3D = new Vector3D(0.5, 0, 0);
             var rises:Number = slider.slide(body, body.rows, body.from, motion).place.z;
             assertTrue("the rock leads it up by " + rises, Math.abs(rises) > 1e-9);

@@ -123,7 +123,7 @@ package starlogo.queries.motion
             _seen.update(new <Agent>[agent]);
             _body.setToStructure(new Sphere(from, 0.1));
             _body.aim(motion.x, motion.y, motion.z);
-            _body.collectRowsAlong(null);
+            new NearRows(_seen).findAlong(_body, null);
             _result = _finder.findTouches(_body);
         }
 
@@ -145,7 +145,7 @@ package starlogo.queries.motion
                 _body.setToStructure(make(middle.add(side), _structures.frame()));
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
                 _body.aim(motion.x, motion.y, motion.z);
-                _body.collectRowsAlong(null);
+                new NearRows(_seen).findAlong(_body, null);
                 _result = _finder.findTouches(_body);
                 if (_result.row >= 0)
                 {

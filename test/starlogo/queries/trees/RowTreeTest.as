@@ -1,6 +1,7 @@
 package starlogo.queries.trees
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
@@ -132,11 +133,11 @@ package starlogo.queries.trees
             var from:Array = [coordinate(world), coordinate(world), coordinate(world)];
             var along:Array = [_random.pick([0, 1, _random.between(-1, 1)]), _random.between(-1, 1), _random.pick([0, -1, _random.between(-1, 1)])];
             var limit:Number = moves ? _random.pick([0.5, 10, 1e4, Infinity]) : 0;
-            _way.setTo(_tree, from[0], from[1], from[2]);
+            _way.setTo(_tree, new Vector3D(from[0], from[1], from[2]));
             _way.inflate(size, size, size);
             if (moves)
             {
-                _way.moveAlong(along[0], along[1], along[2]);
+                _way.moveAlong(new Vector3D(along[0], along[1], along[2]));
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;

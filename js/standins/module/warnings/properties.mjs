@@ -155,7 +155,7 @@ function $lookAtScaledLevels(collisionSystem, agents) {
 
 /** The collision system of a Collision or of questions, which may be about a Collision. */
 function $systemOf(updated) {
-	const source = updated._seen?._source ?? updated;
+	const source = updated.$_seen?.$_source ?? updated;
 	return source.collisionSystem ?? source;
 }
 

@@ -37,7 +37,7 @@ const WARNINGS = new Map([
 	["queries.SeenAgents.refresh", ["$warnOfStale(this, null, agent);"]],
 	...sameFor(["queries.AgentQueries.walk", "queries.AgentMotions.walk"], [
 		"$warnOfFall(agent, dx, dy);",
-		"$warnOfWalk(this.$_moves.$_seen, agent, out ??= new Footing());",
+		"$warnOfWalk(this.$_moves._seen, agent, out ??= new Footing());",
 	]),
 	...["AgentQueries", "AgentRays"].flatMap((name) => ["cast", "castAll"].map((method) => [`queries.${name}.${method}`, [
 		`$refuseNoRay("${name}.${method}", origin, direction);`,

@@ -1368,6 +1368,41 @@ test("while a game is developed, questions that have not seen what restore() has
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
+test("while a game is developed, a figure that its own poses move out of its structure is warned of, once, and one that has its tree or stays inside is not", () => {
+	const program = (module) => `${beginning("Agent, AgentQueries, Collision, CombinationCollider, GreatLand, Model", module)}
+		const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+		const triangles = [0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2];
+		function play(name, reach, isHierarchical) {
+			const land = new GreatLand();
+			const model = new Model(name, corners, triangles, Model.AS_GIVEN);
+			land.addModel(model);
+			const figure = Object.assign(new Agent(name, "figures"), { hierarchical: isHierarchical });
+			const collision = new Collision(new CombinationCollider(land));
+			const queries = new AgentQueries(collision);
+			for (let i = 0; i < 70; i++) {
+				model.pose(corners.map((each, k) => (k === 3 ? 1 + reach * Math.min(1, i / 30) : each)));
+				queries.update([figure]);
+				collision.update([figure]);
+			}
+		}
+		play("inside", -0.3, false);
+		play("tree", 4, true);
+		play("arm", 4, false);
+		console.log(JSON.stringify(said));`;
+	assertEach(warningsOf(program), [/shape "arm"\) collides as the structure around the first pose of its model/]);
+});
+
+test("while a game is developed, agents that are frozen are warned of, once", () => {
+	const program = (module) => `${beginning("Agent, BinCollider, Collision", module)}
+		const [moved, frozen] = [new Agent("cube"), new Agent("cube")];
+		const collision = new Collision(new BinCollider());
+		collision.update([moved, frozen]);
+		Object.freeze(frozen);
+		for (let i = 0; i < 9; i++) collision.update([moved, frozen]);
+		console.log(JSON.stringify(said));`;
+	assertEach(warningsOf(program), [/agent \d+ \(.*\) is frozen, so it can't move: keep agents out of a store that freezes its state$/]);
+});
+
 test("while a game is developed, a model's name that is misspelt is warned of, once", () => {
 	const program = (module) => `${beginning("BuiltInModel, GreatLand", module)}
 		const land = new GreatLand();

@@ -21,6 +21,9 @@ export interface PointTaker {
 	z: number;
 }
 
+/** What a call returns that takes a point: what took it, or without that a new Vector3D. */
+export type Taken<Taker> = Taker extends PointTaker ? Taker : Vector3D;
+
 /** What is taken for a picture: the platform's ImageData, or the same numbers from elsewhere. */
 export interface Picture {
 	readonly width: number;

@@ -69,7 +69,7 @@ const PICKING = "<GameAgent extends Agent>";
 const NAMING = "Name extends BreedOf<Breeds> = BreedOf<Breeds>, OtherName extends BreedOf<Breeds> = BreedOf<Breeds>>";
 const HANDLING = `<ColliderAgent extends AgentOf<Breeds, Name>, CollideeAgent extends AgentOf<Breeds, OtherName>, ${NAMING}`;
 const FILTERING = "Name extends string = string, ExceptName extends string = string>";
-const FILLING = "<Taker extends PointTaker = Vector3D>";
+const FILLING = "<Taker extends PointTaker | null = null>";
 const findingOf = (agent) => `<FoundAgent extends ${agent} = ${agent}, ${FILTERING}`;
 
 /** What a question finds, and its filter. */
@@ -274,7 +274,7 @@ class Writer {
 		const known = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, docs);
 		if (known) return known;
 		const orNull = this.#mayBeNull({ ...member, doc: docs }) ? " | null" : "";
-		if (generic === FILLING) return `Taker${orNull}`;
+		if (generic === FILLING) return `Taken<NoInfer<Taker>>${orNull}`;
 		return (generic === findingOf(this.#agent) ? this.#foundType(member.result) : this.#resultType(member, docs)) + orNull;
 	}
 
@@ -324,7 +324,7 @@ class Writer {
 			if (isFinding && type === "Vector.<Agent>") return `${name}?: Filled<${FOUND}> | null`;
 			if (generic.endsWith(FILTERING) && type === "AgentFilter") return `${name}?: ${filterOf(this.#agent, isFinding ? "FoundAgent" : this.#agent)} | null`;
 			if (generic.endsWith(FILTERING) && type === "WalkOptions") return `${name}?: WalkOptionsInit<${this.#agent}, ${FILTER_NAMES}> | null`;
-			if (generic === FILLING && name === "out") return `out?: Taker | null`;
+			if (generic === FILLING && name === "out") return "out?: Taker";
 			const text = this.#parameterType(parameter, this.#docsOf(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");

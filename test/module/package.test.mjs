@@ -145,6 +145,7 @@ test("the package says what has changed in its version; older changes are in the
 	assert.ok(changes.includes(newest.trim()));
 	assert.ok(!changes.includes(older.split("\n")[0]));
 	assert.match(changes, /older versions.*CHANGELOG\.md/i);
+	assert.equal(changes.includes(`is newer than ${manifest.version}, whose number it has`), newest.startsWith("## Unreleased"));
 });
 
 test("the pages of the package speak of JavaScript, and their links lead somewhere in it", () => {

@@ -9,7 +9,7 @@ export const ONLY_IN_JAVASCRIPT = {
 	"starlogo.agents.Agent": {
 		text: "",
 		declaration: `\t/** The id and the traits as a plain object, as JSON.stringify and tools see them, with those of a game's own class that are no objects. */
-	toJSON(key?: string): Record<string, any>;`,
+	toJSON(key?: string): Record<string, unknown>;`,
 	},
 	// for the adapters: to three.js, which fills the data of a model as a reader of files does; its warnings are not in the minified module
 	"starlogo.models.Model": {

@@ -84,10 +84,11 @@ function withoutWarnings(code) {
 	return code.replaceAll(new RegExp(`^\\t*if \\(.*\\) \\{\n${warning}\n\\t*\\}$`, "gm"), "\n\n").replaceAll(new RegExp(`^${warning}$`, "gm"), "");
 }
 
-/** The changes of the newest version. The project's changelog has those of all. */
+/** The changes of the newest version, or those since it. The project's changelog has those of all. */
 function newestChanges(changelog) {
 	const [head, newest] = changelog.split(/^(?=## )/m);
-	return `${head}${newest}Older versions are in the project's CHANGELOG.md.\n`;
+	const since = newest.startsWith("## Unreleased") ? `This package is newer than ${version}, whose number it has until the next release.\n\n` : "";
+	return `${head}${since}${newest}Older versions are in the project's CHANGELOG.md.\n`;
 }
 
 /** The whole module, with some text of the stand-ins and of the classes. */

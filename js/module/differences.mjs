@@ -5,6 +5,12 @@ export const RETURNS_UINT8ARRAY = new Set(["starlogo.GreatLand.cook", "starlogo.
 
 /** Members of a class by its qualified name: their code, and their declaration in index.d.ts unless they are for the adapters alone. */
 export const ONLY_IN_JAVASCRIPT = {
+	// every class that tools show has it: shown.mjs
+	"starlogo.agents.Agent": {
+		text: "",
+		declaration: `\t/** The id and the traits as a plain object, as JSON.stringify and tools see them, with those of a game's own class that are no objects. */
+	toJSON(key?: string): Record<string, unknown>;`,
+	},
 	// for the adapters: to three.js, which fills the data of a model as a reader of files does; its warnings are not in the minified module
 	"starlogo.models.Model": {
 		text: `static get $internals() {

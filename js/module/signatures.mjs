@@ -99,9 +99,9 @@ export function docOfParameter(name, doc) {
 	return new RegExp(String.raw`@param ${name}\s+((?:(?!\n@)[\s\S])*)`).exec(doc)?.[1] ?? "";
 }
 
-/** Whether a list of names may have null among them: the documentation of the parameter says "null for" what has no name. */
+/** Whether a list of names may have null among them: the documentation says "null for" what has no name. */
 export function mayHaveNull(docs) {
-	return /\bnull for an?\b/.test(docs);
+	return /\bnull for (?:an?|one)\b/.test(docs);
 }
 
 /** Whether a parameter takes a point or a vector that a member finds, as the documentation of the parameter says. */

@@ -13,6 +13,8 @@ export const Mesh = THREE.Mesh;
 export const MeshStandardMaterial = THREE.MeshStandardMaterial;
 export const heroMesh = new THREE.Mesh(new THREE.CapsuleGeometry(0.3, 1.2).translate(0, 0.9, 0));
 export const hills = new THREE.Mesh(new THREE.PlaneGeometry(80, 80).rotateX(-Math.PI / 2));
+export const Raycaster = THREE.Raycaster;
+export const Vector2 = THREE.Vector2;
 export const Vector3 = THREE.Vector3;
 export const SphereGeometry = THREE.SphereGeometry;
 export const scene = new THREE.Scene();
@@ -21,6 +23,7 @@ export const camera = new THREE.PerspectiveCamera();
 camera.position.set(3, 6, 4);
 camera.lookAt(5, 0, 7);
 export const mark = new THREE.Object3D();
+export const canvas = Object.assign(new EventTarget(), { clientWidth: 800, clientHeight: 600 });
 export const gltf = { scene: new THREE.Group() };
 const body = new THREE.Mesh(new THREE.CapsuleGeometry(3, 10));
 body.position.y = 8;
@@ -38,7 +41,7 @@ skinned.bind(new THREE.Skeleton([bone]));
 export const figure = new THREE.Group().add(skinned);
 
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, drawnFace, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand, placeCamera, openRoom, closedRoom, enemy, moveEnemy, queries }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, drawnFace, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand, placeCamera, openRoom, closedRoom, enemy, moveEnemy, queries, pickedAt }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -68,6 +71,19 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	placeCamera();
 	assert.ok(camera.position.y > 0.25 && camera.position.y < 3.1, 'it goes back slowly');
 	for (const [room, triangles] of [[openRoom, 10], [closedRoom, 72]]) assert.equal(adapter.levelFromObject('room', room).triangles.length, 3 * triangles);
+	collision.terrain = null;
+	queries.update([coin, crate, level]);
+	camera.position.set(3, 8, 6);
+	camera.lookAt(3, 0.25, -2);
+	camera.updateMatrixWorld();
+	assert.equal(pickedAt(400, 300).agent, coin);
+	canvas.dispatchEvent(Object.assign(new Event('pointerdown'), { offsetX: 400, offsetY: 300 }));
+	assert.ok(Math.abs(mark.position.distanceTo(new THREE.Vector3(3, 0.25, -2)) - 0.25) < 1e-6, 'on the surface of the coin');
+	assert.equal(coin.color, 0xff8000);
+	const below = pickedAt(400, 400);
+	assert.ok(below.agent === level && Math.abs(below.point.x - 3) < 1e-9 && below.point.y < 1.5);
+	assert.equal(pickedAt(400, -3000), null);
+	collision.terrain = terrain;
 	assert.equal(collision.terrain, terrain);
 	bone.position.y = 100;
 	moveEnemy(0.5);

@@ -453,6 +453,12 @@ test("while a game is developed, an error says where a value of another kind bel
 	refused(() => queries.cast(ray[0], { x: 1, y: 0 }), "direction must be a Vector3D, or anything with x, y and z, not a plain object. Its z is undefined");
 	refused(() => queries.cast({ z: 1 }, ray[1]), "origin must be", "Its x and y are undefined");
 	assert.throws(() => queries.cast(ray[0], {}), /not a plain object$/);
+	for (const agents of [[JSON.parse(JSON.stringify(walker))], [{ ...walker }]]) refused(() => collision.update(agents), "Collision.update: agents[0] must be an Agent, not a plain object. A copy of an agent's fields is no agent");
+	refused(() => queries.castAll(...ray, null, { allSurfaces: true }), "AgentQueries.castAll: out must be an array, not a plain object. Options are the argument after it: castAll(..., null, { allSurfaces: true })");
+	for (const [list, spread] of [[new Set([walker]), "[...set]"], [new Map(), "[...map.values()]"], [[walker].values(), "[...agents]"]]) {
+		refused(() => collision.update(list), "Collision.update: agents must be an array, not a", `. ${spread} is one`);
+	}
+	for (const args of [["cube", "*"], [], [""]]) assert.throws(() => new Agent(...args), /^ArgumentError: new Agent: /);
 	for (const list of ["vertices", "triangles"]) {
 		const lists = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2], [list]: [[0, 1, 2]] };
 		refused(() => new Model("flat", lists.vertices, lists.triangles), `new Model: ${list}[0] must be`, "not [0, 1, 2]. All numbers are in one flat list: list.flat()");

@@ -80,7 +80,7 @@ function check(result) {
 	assert.deepEqual(result.loaded.filter((name) => !name.startsWith("model ")), ["bear", "cube", "dragon", "person"]);
 	assert.match(result.loaded.find((name) => name.startsWith("model ")), /^model "nothing": its file can't be fetched: .*nothing\.obj/);
 	assert.deepEqual(result.kept, ["11288", "true", "null"]);
-	assert.match(result.errors[0], /^ArgumentError: a new agent: shape must be a name, not ""/);
+	assert.match(result.errors[0], /^ArgumentError: new Agent: shape must be a name, not ""/);
 	assert.match(result.errors[1], /^ModelError: model "broken", line 1: expected a vertex/);
 	assert.match(result.errors[2], /^ModelError: model "broken", line 1: this is not well-formed XML/);
 	assert.match(result.errors[4], /^IllegalOperationError: at this moment/);
@@ -145,6 +145,7 @@ test("the package says what has changed in its version; older changes are in the
 	assert.ok(changes.includes(newest.trim()));
 	assert.ok(!changes.includes(older.split("\n")[0]));
 	assert.match(changes, /older versions.*CHANGELOG\.md/i);
+	assert.equal(changes.includes(`is newer than ${manifest.version}, whose number it has`), newest.startsWith("## Unreleased"));
 });
 
 test("the pages of the package speak of JavaScript, and their links lead somewhere in it", () => {
@@ -154,12 +155,21 @@ test("the pages of the package speak of JavaScript, and their links lead somewhe
 	for (const page of pages) {
 		const text = readFileSync(path.join(folder, page), "utf8");
 		assert.doesNotMatch(text, /```actionscript|\.as\b|:void|^Examples?: /m, page);
+		if (page !== "README.md") assert.doesNotMatch(text, /ActionScript|Flash|SharedObject|FileReference|\btrace[sd]?\b/, page);
 		for (const [, to] of text.replaceAll(/```[^]*?```/g, "").matchAll(/\]\(([^)]+)\)/g)) {
 			const [file, anchor] = to.split("#");
 			const target = file === "" ? page : path.join(path.dirname(page), file);
 			assert.ok(existsSync(path.join(folder, target)), `${page}: ${to}`);
 			if (anchor) assert.ok(anchorsOf(readFileSync(path.join(folder, target), "utf8")).includes(anchor), `${page}: ${to}`);
 		}
+	}
+});
+
+test("the types speak of JavaScript, and name pages that the package has", () => {
+	for (const file of ["index.d.ts", "three/index.d.ts", "nova/index.d.ts"]) {
+		const text = readFileSync(path.join(folder, file), "utf8");
+		assert.doesNotMatch(text, /ActionScript|Flash|SharedObject|\btrace[sd]?\b|\bVector\.<|:void\b|`\w+:[A-Z]|\bvar \w+ =|\bpublic function\b|\bSprite\b|^\s*\*  [A-Z]/m, file);
+		for (const [page] of text.matchAll(/\bdocs\/[\w-]+\.md\b/g)) assert.ok(existsSync(path.join(folder, page)), `${file}: ${page}`);
 	}
 });
 
@@ -191,14 +201,14 @@ test("every static member that the types show is there, for extending classes to
 });
 
 // Flash's own classes and parts that no game extends show some more.
-test("a game's own subclass may have any method without _ or $ that the types do not show", async () => {
+test("a game's own subclass may have any method without $ that the types do not show", async () => {
 	const shown = new Set(readFileSync(path.join(folder, "index.d.ts"), "utf8").match(/[\w$]+/g));
 	shown.add("toJSON");
 	for (const file of [minified, readable]) {
 		const { BreedInterests, ByteArray, Event, HierarchyNode, ModelLoader, ModelTransform, ...extendable } = await import(pathToFileURL(path.resolve(folder, file)));
 		const hidden = Object.values(extendable).flatMap((type) => Object.getOwnPropertyNames(type.prototype ?? {})).filter((name) => !shown.has(name));
 		assert.ok(hidden.length > 100);
-		assert.deepEqual(hidden.filter((name) => !/^[_$]/.test(name)), [], file);
+		assert.deepEqual(hidden.filter((name) => !/^_?\$/.test(name)), [], file);
 		class Bear extends extendable.Agent {
 			turnBy(degrees) {
 				this.heading += degrees;
@@ -208,6 +218,47 @@ test("a game's own subclass may have any method without _ or $ that the types do
 		bear.turnBy(30);
 		bear.heading += 60;
 		assert.equal(bear.heading, 90);
+	}
+});
+
+test("a game's own subclass may have any field without $ that the types do not show", async () => {
+	for (const file of [minified, readable]) {
+		const engine = await import(pathToFileURL(path.resolve(folder, file)));
+		const fields = Object.values(engine).filter((type) => type.prototype).flatMap((type) => [...String(type).matchAll(/\bthis\.(_[\w$]*)/g)].map(([, name]) => name));
+		assert.deepEqual(fields.filter((name) => !/^_\$/.test(name)), [], file);
+		const { Agent, AgentFilter, AgentQueries, BinCollider, Collision, WalkOptions } = engine;
+		class Player extends Agent {
+			_turn = 0;
+			_color = "red";
+			_isOneWay = "sometimes";
+			_placement = null;
+		}
+		class Game extends Collision {
+			_handlers = [];
+			_system = null;
+			_filter = "own";
+		}
+		const [player, other] = [new Player("cube", "players"), new Agent("cube", "coins")];
+		player.heading = 40;
+		player.x = 0.2;
+		const game = new Game(new BinCollider());
+		let touches = 0;
+		game.onCollision("players", "coins", () => touches++);
+		game.update([player, other]);
+		const saved = game.snapshot(true);
+		player.moveTo(9, 9, 9);
+		player.color = 3;
+		game.restore(saved, [player, other]);
+		assert.deepEqual([touches, player.heading, player.x, player.color, player.isOneWay, player._color], [1, 40, 0.2, 0, false, "red"]);
+		assert.equal(game.filter, null);
+		assert.deepEqual(JSON.parse(JSON.stringify(player)), player.toJSON());
+		const queries = new (class extends AgentQueries {
+			_seen = 1;
+			_moves = 2;
+		})(game);
+		queries.update([player, other]);
+		assert.equal(queries.walk(player, 1, 0, new (class extends WalkOptions { _stepHeight = "high"; })()).on, null);
+		assert.deepEqual(queries.near(player, 9, new (class extends AgentFilter { _breeds = 3; })()), [other]);
 	}
 });
 
@@ -1358,6 +1409,41 @@ test("while a game is developed, motions that have not seen what restore() has p
 		assert.match(said[0], /questions do not see agent \d+ \(breed "coins", shape "sphere"\) where restore\(\) has put it/, ask);
 	}
 	assert.deepEqual(printedBy(program("seen.update(agents); motions.slide(hero, 0, 0, 1)")), []);
+});
+
+test("while a game is developed, a figure that its own poses move out of its structure is warned of, once, and one that has its tree or stays inside is not", () => {
+	const program = (module) => `${beginning("Agent, AgentQueries, Collision, CombinationCollider, GreatLand, Model", module)}
+		const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+		const triangles = [0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2];
+		function play(name, reach, isHierarchical) {
+			const land = new GreatLand();
+			const model = new Model(name, corners, triangles, Model.AS_GIVEN);
+			land.addModel(model);
+			const figure = Object.assign(new Agent(name, "figures"), { hierarchical: isHierarchical });
+			const collision = new Collision(new CombinationCollider(land));
+			const queries = new AgentQueries(collision);
+			for (let i = 0; i < 70; i++) {
+				model.pose(corners.map((each, k) => (k === 3 ? 1 + reach * Math.min(1, i / 30) : each)));
+				queries.update([figure]);
+				collision.update([figure]);
+			}
+		}
+		play("inside", -0.3, false);
+		play("tree", 4, true);
+		play("arm", 4, false);
+		console.log(JSON.stringify(said));`;
+	assertEach(warningsOf(program), [/shape "arm"\) collides as the structure around the first pose of its model/]);
+});
+
+test("while a game is developed, agents that are frozen are warned of, once", () => {
+	const program = (module) => `${beginning("Agent, BinCollider, Collision", module)}
+		const [moved, frozen] = [new Agent("cube"), new Agent("cube")];
+		const collision = new Collision(new BinCollider());
+		collision.update([moved, frozen]);
+		Object.freeze(frozen);
+		for (let i = 0; i < 9; i++) collision.update([moved, frozen]);
+		console.log(JSON.stringify(said));`;
+	assertEach(warningsOf(program), [/agent \d+ \(.*\) is frozen, so it can't move: keep agents out of a store that freezes its state$/]);
 });
 
 test("while a game is developed, a model's name that is misspelt is warned of, once", () => {

@@ -1,9 +1,9 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
-	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
+	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, BinCollider, BoundingStructure, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
 	ModelLoader, ModelTransform, ObjModel, RayHit, SeenAgents, Sphere, Terrain, TightestFitCollider, TraitBlocks, Vector3D, WalkOptions,
 } from "starlogo-collision";
-import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit, WalkOptionsInit } from "starlogo-collision";
+import type { AgentFilterInit, BaseCollider, Box, CollisionSystem, CollisionStatistics, Handler, Matrix3D, ModelLoaderEvents, Placement, Numbers, ShapeHit, WalkOptionsInit } from "starlogo-collision";
 
 /** Fails unless the two are the same. */
 type Same<X, Y> = (<T>() => T extends X ? 1 : 2) extends <T>() => T extends Y ? 1 : 2 ? true : false;
@@ -429,3 +429,57 @@ Terrain.fromPicture(imageData, 3);
 Terrain.fromPicture("hills.png", 3);
 // @ts-expect-error neither an agent nor a breed
 new TraitBlocks([]).setOneWay(3, true);
+// a handler that is declared apart, of touches, of ends and of both
+const pay: Handler<Hero, Coin> = (hero, coin, contact) => (hero.life += coin.worth * contact.depth);
+typed.onCollisionStart("heroes", "coins", pay);
+// @ts-expect-error it is for a contact, and an end has none
+typed.onCollisionEnd("heroes", "coins", pay);
+const leave: Handler<Hero, Coin, null> = (hero, coin) => (hero.life -= coin.worth);
+typed.onCollisionEnd("heroes", "coins", leave);
+const log: Handler<Hero, Coin, Contact | null> = (hero, coin, contact) => hero.life + coin.worth + (contact?.depth ?? 0);
+typed.onCollision("heroes", "coins", log);
+typed.onCollisionEnd("heroes", "coins", log);
+// null where it can come, and nowhere else
+is<Same<typeof model.materialNames, readonly (string | null)[] | null>>();
+is<Same<typeof model.meshNames, readonly (string | null)[] | null>>();
+is<Same<CollisionSystem["statistics"], CollisionStatistics>>();
+is<Same<BaseCollider["statistics"], CollisionStatistics>>();
+is<Same<Collision["breedsWithoutAgents"], string[]>>();
+filter.except = [agent, null, undefined];
+// structures stay of their class, and so does what takes a point
+is<Same<ReturnType<Sphere["clone"]>, Sphere>>();
+is<Same<ReturnType<ErrorEventClone>, ModelLoaderEvents["error"]>>();
+type ErrorEventClone = ModelLoaderEvents["error"]["clone"];
+declare const turning: Matrix3D;
+declare const box: Box;
+const wide: Sphere = new Sphere(new Vector3D(), 1).clone().translate({ x: 1, y: 0, z: 0 }).scale(2).rotate(turning);
+wide.radius = box.rotate(turning).halfX;
+declare const scenePoint: { x: number; y: number; z: number; isVector3: true };
+const upwards = new Terrain(3, 3).normalAt(1, 1, scenePoint);
+is<Same<typeof upwards, typeof scenePoint | null>>();
+for (const normal of [new Terrain(3, 3).normalAt(1, 1), new Terrain(3, 3).normalAt(1, 1, null)]) is<Same<typeof normal, Vector3D | null>>();
+// @ts-expect-error a new one is a Vector3D
+const noScenePoint: typeof scenePoint | null = new Terrain(3, 3).normalAt(1, 1);
+class Star extends BoundingStructure {
+	override clone(): Star {
+		return new Star(this.kind);
+	}
+	turned(point: Vector3D, placement: Placement): void {
+		Star.turnInto(point, placement, point);
+	}
+}
+// a saved game's traits
+const { breed: savedBreed } = new Hero("cube").toJSON();
+class Saved extends Agent {
+	override toJSON(): { life: number } {
+		return { life: 3 };
+	}
+}
+JSON.stringify([savedBreed, new Saved("cube")]);
+// a function for agents of any class says it twice: as breeds have it, and as agents are
+function nearestOf<Member extends Agent>(asked: Member, members: readonly Member[]): Member | null {
+	const queries = new AgentQueries(new Collision<Member, Member>(bins));
+	queries.update(members);
+	return queries.nearest(asked);
+}
+is<Same<ReturnType<typeof nearestOf<Hero>>, Hero | null>>();

@@ -4,7 +4,8 @@ const ENGINE_PREFIX = "starlogo_engine__";
 
 /**
  * A private member has its name from the source, unless a base or an extending class has a member of that name too. A game's class may
- * extend a public class and have any name without _ or $, so private methods there get a $, and so do members of the namespace engine.
+ * extend a public class and have any name without $, also `_color`. So private members of a public class, and of what it extends, get a $
+ * before their name (`$_color`), and so do members of the namespace engine.
  */
 export class MemberNames {
 	#privateNames = new Map();
@@ -16,10 +17,11 @@ export class MemberNames {
 	constructor(units, signatures) {
 		const basesOf = (unit) => (unit ? [unit, ...basesOf(units.get(unit.base))] : []);
 		const owners = ownersOf([...units.values()]);
+		const extensible = new Set([...signatures.keys()].flatMap((qname) => basesOf(units.get(qname))));
 		for (const [plain, having] of owners) {
 			const shared = new Set([...having].flatMap((unit) => basesOf(unit).filter((base) => base !== unit && having.has(base)).flatMap((base) => [unit, base])));
 			for (const unit of having) {
-				const name = signatures.has(unit.qname) && !plain.startsWith("_") ? `$${plain}` : plain;
+				const name = extensible.has(unit) ? `$${plain}` : plain;
 				const isTaken = shared.has(unit) || (name !== plain && owners.has(ENGINE_PREFIX + plain));
 				this.#privateNames.set(unit.mangled + plain, isTaken ? `${name}$${unit.name}` : name);
 			}

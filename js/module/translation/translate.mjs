@@ -126,7 +126,7 @@ export class Program {
 
 	#memberNames(unit) {
 		const known = [...unit.types.keys(), ...unit.members.map((member) => member.name)];
-		return [...known.map((name) => this.#members.nameOf(name)), ...this.#checks.settings(unit.qname).map((setting) => `_${setting.name}`)];
+		return [...known.map((name) => this.#members.nameOf(name)), ...this.#checks.settings(unit.qname).map((setting) => fieldOf(setting))];
 	}
 
 	#textOf(unit) {
@@ -207,7 +207,8 @@ export class Program {
 		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n\treturn $copy;\n}`);
 		for (const setting of this.#checks.settings(unit.qname)) {
 			const check = this.#checks.ofSetting(unit.qname, setting).map((line) => `${indent(line)}\n`).join("");
-			lines.push(`get ${setting.name}() {\n\treturn this._${setting.name};\n}`, `set ${setting.name}(value) {\n${check}\tthis._${setting.name} = value;\n}`);
+			const field = fieldOf(setting);
+			lines.push(`get ${setting.name}() {\n\treturn this.${field};\n}`, `set ${setting.name}(value) {\n${check}\tthis.${field} = value;\n}`);
 		}
 		for (const member of unit.members) {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
@@ -242,7 +243,7 @@ export class Program {
 		const prologue = this.#checks.prologueOf(unit.qname, unit.name, "constructor");
 		const fields = unit.fields.filter((field) => !this.#isSetAnyway(field, body));
 		const settings = this.#checks.settings(unit.qname).map((setting) => setting.name);
-		const nameOf = (field) => (settings.includes(field.name) ? `_${field.name}` : this.#members.nameOf(field.name));
+		const nameOf = (field) => (settings.includes(field.name) ? fieldOf(field) : this.#members.nameOf(field.name));
 		const initial = fields.map((field) => `this.${nameOf(field)} = ${this.#bodies.text(field.value)};`);
 		let statements;
 		if (unit.base) {
@@ -293,10 +294,15 @@ function isOfEngine(unit) {
 	return unit.qname.startsWith("starlogo.");
 }
 
+/** The name of the field that keeps the value of a setting. */
+function fieldOf({ name }) {
+	return `$_${name}`;
+}
+
 /** Makes the fields of an error's class private, because Node prints all others below the message. Its getters have what users read. */
 function withPrivateFields(text) {
-	const names = [...new Set(text.match(/(?<=\bthis\.)_\w+/g))];
-	return text.replaceAll(/\bthis\._/g, "this.#").replace("{\n", () => `{\n${names.map((name) => `\t#${name.slice(1)};\n`).join("")}`);
+	const names = [...new Set(text.match(/(?<=\bthis\.\$?)_\w+/g))];
+	return text.replaceAll(/\bthis\.\$?_/g, "this.#").replace("{\n", () => `{\n${names.map((name) => `\t#${name.slice(1)};\n`).join("")}`);
 }
 
 /** Wraps a method that returns a ByteArray, so that it returns a Uint8Array. */

@@ -37,7 +37,7 @@ const WARNINGS = new Map([
 	["queries.SeenAgents.refresh", ["$warnOfStale(this, null, agent);"]],
 	...sameFor(["queries.AgentQueries.walk", "queries.AgentMotions.walk"], [
 		"$warnOfFall(agent, dx, dy);",
-		"$warnOfWalk(this._moves._seen, agent, out ??= new Footing());",
+		"$warnOfWalk(this.$_moves._seen, agent, out ??= new Footing());",
 	]),
 	...["AgentQueries", "AgentRays"].flatMap((name) => ["cast", "castAll"].map((method) => [`queries.${name}.${method}`, [
 		`$refuseNoRay("${name}.${method}", origin, direction);`,
@@ -51,7 +51,7 @@ const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.(?:Collision|Contact)|quer
 const ASKING = /^starlogo\.queries\.Agent(?:Motions|Places|Queries|Rays)$/;
 
 /** What a class of questions sees, if it keeps no SeenAgents itself. */
-const SEEN_BY = { "starlogo.queries.AgentMotions": "this._moves._seen" };
+const SEEN_BY = { "starlogo.queries.AgentMotions": "this.$_moves._seen" };
 
 /** The numbers of a question that may be negative: all others are refused then. */
 const COORDINATES = /^d?[xyz]$/;
@@ -72,7 +72,7 @@ export function warningsOf(qname, name, kind, parameters) {
 function warningsOfQuestion(qname, name, parameters) {
 	const numbers = parameters.filter((each) => /^(?:Number|int)$/.test(each.type) && !COORDINATES.test(each.name)).map((each) => each.name);
 	const call = `${qname.split(".").at(-1)}.${name}`;
-	return [`$warnOfStale(${SEEN_BY[qname] ?? "this._seen"}, null, null);`, ...numbers.map((number) => `$refuseNegative("${call}: ${number}", ${number});`)];
+	return [`$warnOfStale(${SEEN_BY[qname] ?? "this.$_seen"}, null, null);`, ...numbers.map((number) => `$refuseNegative("${call}: ${number}", ${number});`)];
 }
 
 /** What a method, or a setting that gets another value, says then. */

@@ -21,6 +21,9 @@ export interface PointTaker {
 	z: number;
 }
 
+/** What a call returns that takes a point: what took it, or without that a new Vector3D. */
+export type Taken<Taker> = Taker extends PointTaker ? Taker : Vector3D;
+
 /** What is taken for a picture: the platform's ImageData, or the same numbers from elsewhere. */
 export interface Picture {
 	readonly width: number;
@@ -41,9 +44,12 @@ export type NoInfer<Type> = [Type][Type extends unknown ? 0 : never];
 /** A list that a question fills with agents of a class. A list of only some of them is refused: it would hold the others too. */
 export type Filled<FoundAgent> = (NoInfer<FoundAgent>[] & { push: (...agents: NoInfer<FoundAgent>[]) => number }) | never[];
 
-/** What is taken for a handler of collisions. Those of ends get null in place of the contact. */
-export type Handler<ColliderAgent extends Agent = Agent, CollideeAgent extends Agent = Agent> = (
-	collider: ColliderAgent, collidee: CollideeAgent, contact: Contact
+/**
+ * What is taken for a handler of collisions. The third type is what it gets for a contact: a handler of ends gets null, and one of both a
+ * `Contact | null`.
+ */
+export type Handler<ColliderAgent extends Agent = Agent, CollideeAgent extends Agent = Agent, Met extends Contact | null = Contact> = (
+	collider: ColliderAgent, collidee: CollideeAgent, contact: Met
 ) => void;
 
 /**

@@ -41,6 +41,15 @@ const OF_ENGINE = /\bdo not change it\b|\bread only\b/i;
 /** What the documentation says of a field that its type says is there. */
 const NULL_IF_EMPTY = /\bnull only in an empty hit\b/;
 
+/** What the documentation says of a list of agents with gaps. */
+const HAS_GAPS = /\bnull among them\b/i;
+
+/** What the documentation says of a method whose calls can be chained. */
+const RETURNS_THIS = /@return this structure$/m;
+
+/** The method that makes an object of its own class. In ActionScript an override has the type of the base's. */
+const COPYING = "clone";
+
 /** What the documentation says of a method that has another name now. */
 const OLDER_NAME = /^An older name of <code>(\w+)\(\)<\/code>/;
 
@@ -52,14 +61,15 @@ const OF_AGENTS = "<GameAgent extends Agent = Agent>";
 const OF_BREEDS = "<Breeds extends Agent | { [Name in keyof Breeds]: Agent } = Agent, GameAgent extends Agent = AgentsOf<Breeds>>";
 
 /**
- * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the breeds that a filter names, and what a
- * question finds. A method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for
+ * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the breeds that a filter names, what takes a point
+ * and is returned, and what a question finds. A method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for
  * a plain `Collision`.
  */
 const PICKING = "<GameAgent extends Agent>";
 const NAMING = "Name extends BreedOf<Breeds> = BreedOf<Breeds>, OtherName extends BreedOf<Breeds> = BreedOf<Breeds>>";
 const HANDLING = `<ColliderAgent extends AgentOf<Breeds, Name>, CollideeAgent extends AgentOf<Breeds, OtherName>, ${NAMING}`;
 const FILTERING = "Name extends string = string, ExceptName extends string = string>";
+const FILLING = "<Taker extends PointTaker | null = null>";
 const findingOf = (agent) => `<FoundAgent extends ${agent} = ${agent}, ${FILTERING}`;
 
 /** What a question finds, and its filter. */
@@ -116,6 +126,11 @@ function withValues(docs, { kind, parameters, result, initial }) {
 		const shown = value.replace("Number.NEGATIVE_INFINITY", "-Infinity");
 		return text.replace(`@param ${name} ${about}`, () => `@param ${name} ${about.replace(/\.?\s*$/, "")}. Default: ${shown}`);
 	}, docs);
+}
+
+/** Whether a member overrides one whose documentation is all of its own. */
+function hasInheritedDoc({ isOverride, doc }) {
+	return isOverride && /^(@inheritDoc\s*)?$/.test(doc);
 }
 
 /** A word and the names after it, if there are any. */
@@ -179,11 +194,11 @@ class Writer {
 		];
 	}
 
-	// Overrides without documentation are left out, because the base has them.
+	// Overrides without documentation are left out, because the base has them, but for what is of another type.
 	#membersOf(type) {
 		// constants of a class that cannot be imported are out of reach
 		const isReached = (member) => !(PLATFORM_NAMES.has(type.name) && member.isStatic);
-		const isSeen = (member) => isReached(member) && isVisible(member) && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
+		const isSeen = (member) => isReached(member) && isVisible(member) && !(hasInheritedDoc(member) && member.name !== COPYING);
 		return type.members.filter(isSeen);
 	}
 
@@ -191,7 +206,7 @@ class Writer {
 		const isStatic = member.isStatic ? "static " : "";
 		const visible = member.isProtected ? "protected " : "";
 		this.#agent = this.#isGeneric(type) && !member.isStatic ? (this.#mayFindGround(type, member) ? OR_GROUND : "GameAgent") : "Agent";
-		const docs = docOf(type, member, this.#exported);
+		const docs = hasInheritedDoc(member) ? "" : docOf(type, member, this.#exported);
 		const takesLiteral = member.kind === "constructor" && TAKES_LITERAL.has(type.qname);
 		const text = docComment(takesLiteral ? `${docs}\n\n@param settings a literal with some of its properties` : withValues(docs, member), "\t");
 		if (/^(add|remove)EventListener$/.test(member.name)) {
@@ -201,7 +216,7 @@ class Writer {
 		const generic = this.#genericOf(member, docs);
 		// agents from a list of a client's agents have the client's class
 		if (generic === PICKING) this.#agent = "GameAgent";
-		const result = this.#resultOf(type, member, docs, generic === findingOf(this.#agent));
+		const result = this.#resultOf(type, member, docs, generic);
 		switch (member.kind) {
 			case "constructor":
 				return `${text}\tconstructor(${takesLiteral ? `settings?: ${type.name}Init | null` : this.#parameters(member, type)});`;
@@ -241,6 +256,7 @@ class Writer {
 	/** The type parameters of a method itself. */
 	#genericOf({ kind, parameters, result }, docs) {
 		if (kind !== "method") return "";
+		if (result === "Vector3D" && parameters.some(({ name }) => name === "out")) return FILLING;
 		const hasList = parameters.some(({ name, type }) => type === "Vector.<Agent>" && name !== "out");
 		if (this.#agent === "Agent") return result === "Vector.<Agent>" && hasList ? PICKING : "";
 		if (HANDLER.test(docs)) return HANDLING;
@@ -251,12 +267,15 @@ class Writer {
 	}
 
 	/** The type of what a member has or returns. */
-	#resultOf(type, member, docs, isFinding) {
+	#resultOf(type, member, docs, generic) {
 		if (RETURNS_UINT8ARRAY.has(`${type.qname}.${member.name}`)) return "OwnBytes";
+		if (RETURNS_THIS.test(docs)) return "this";
+		if (member.name === COPYING) return type.name;
 		const known = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, docs);
 		if (known) return known;
 		const orNull = this.#mayBeNull({ ...member, doc: docs }) ? " | null" : "";
-		return (isFinding ? this.#foundType(member.result) : this.#resultType(member, docs)) + orNull;
+		if (generic === FILLING) return `Taken<NoInfer<Taker>>${orNull}`;
+		return (generic === findingOf(this.#agent) ? this.#foundType(member.result) : this.#resultType(member, docs)) + orNull;
 	}
 
 	/** What a question finds. The agents' class is not inferred from where they are stored: that would be a cast that nobody sees. */
@@ -269,6 +288,7 @@ class Writer {
 	#resultType({ kind, result }, docs) {
 		// what takes a filter takes a literal too
 		if (kind === "var" && result === "AgentFilter") return "AgentFilterInit";
+		if (result === "Vector.<Agent>" && HAS_GAPS.test(docs)) return `(${this.#agent} | null | undefined)[]`;
 		return result === "Vector.<String>" && mayHaveNull(docs) ? "(string | null)[]" : this.#type(result);
 	}
 
@@ -276,7 +296,7 @@ class Writer {
 		if (member.initial === "null") return !NULL_IF_EMPTY.test(member.doc);
 		if (member.kind === "const" || /^(Number|int|uint|Boolean|void|\*|Object)$/.test(member.result)) return false;
 		const docs = member.kind === "method" ? /@return([\s\S]*?)(?:\n@|$)/.exec(member.doc)?.[1] ?? member.doc.split("\n@")[0] : member.doc.split("\n@")[0];
-		return /\bnull\b/i.test(docs);
+		return /(?<!\bnever )\bnull\b/i.test(docs);
 	}
 
 	// The type of a constant is its value, which identifies an event or a kind of structure.
@@ -304,6 +324,7 @@ class Writer {
 			if (isFinding && type === "Vector.<Agent>") return `${name}?: Filled<${FOUND}> | null`;
 			if (generic.endsWith(FILTERING) && type === "AgentFilter") return `${name}?: ${filterOf(this.#agent, isFinding ? "FoundAgent" : this.#agent)} | null`;
 			if (generic.endsWith(FILTERING) && type === "WalkOptions") return `${name}?: WalkOptionsInit<${this.#agent}, ${FILTER_NAMES}> | null`;
+			if (generic === FILLING && name === "out") return "out?: Taker";
 			const text = this.#parameterType(parameter, this.#docsOf(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");

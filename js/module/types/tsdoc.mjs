@@ -1,4 +1,5 @@
 /** Documentation comments for JavaScript and TypeScript, made of ASDoc. */
+import { PAGES } from "../pages/guide.mjs";
 
 /** The TypeScript names of types that JavaScript has too. */
 export const PRIMITIVES = {
@@ -9,22 +10,32 @@ export const PRIMITIVES = {
 /** Sentences with these words do not concern a JavaScript developer. */
 const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
 
+/** A page of the project. */
+const PAGE = /\bdocs\/([\w-]+)\.md\b/;
+
+/** Whether a sentence concerns a JavaScript developer, who has the package's pages and no players. */
+function isForJavaScript(sentence) {
+	const [, page] = PAGE.exec(sentence) ?? [];
+	return !OF_PLAYERS.test(sentence.replaceAll(/<\/?p>/g, "")) && (page === undefined || PAGES.includes(page));
+}
+
 /** A documentation text for JavaScript: with JavaScript's terms, and without references to the thesis. */
 function forJavaScript(text) {
 	const sentences = text.split(/(?<=\.)(?=\s)|(?=\n@)|(?=<p>)|(?<=<\/p>)/);
-	return sentences.filter((sentence) => !OF_PLAYERS.test(sentence.replaceAll(/<\/?p>/g, ""))).join("")
+	return sentences.filter(isForJavaScript).join("").replaceAll(/(?<=\n\n) (?=\S)/g, "")
 		.replaceAll(/\s*\((?:the\s+)?(?:thesis\s+)?§[^)]*\)/g, "")
 		.replaceAll(/,? ?(?:in |of |as in )?(?:the )?thesis,? §[\d.]+/g, "").replaceAll(/\s*\(?§\s?[\d.]+[^\s)]*\)?/g, "")
 		.replaceAll(/\bflash\.\w+\.(?=[A-Z])/g, "").replaceAll(/\.\/antw cook/g, "npx starlogo-cook")
 		.replaceAll(/\bVector\.<(?:Number|int|uint)>/g, "an array of numbers").replaceAll(/\ba Vector\b/g, "an array")
 		.replaceAll(/<code>(?:function)?\(([^)<]*)\):(\w+)<\/code>/g, (_, list, result) => `<code>(${list.replaceAll(/:(\w+)/g, (_, name) => `: ${nameHere(name)}`)}) => ${nameHere(result)}</code>`)
+		.replaceAll(/<code>(\w+):([A-Z]\w*)<\/code>/g, (_, name, type) => `<code>${name}: ${nameHere(type)}</code>`)
 		.replaceAll(/<listing[^>]*>[\s\S]*?<\/listing>/g, sampleForJavaScript);
 }
 
 /** A sample in JavaScript: without types, modifiers and the constants of events. */
 function sampleForJavaScript(code) {
 	return code.replaceAll(/(?<=[\w)]):(?:[A-Z][\w.]*|int|uint|void)(?:&lt;\w+&gt;)?/g, "")
-		.replaceAll(/\bfor \(var /g, "for (let ")
+		.replaceAll(/\bfor \(var /g, "for (let ").replaceAll(/\btrace\(/g, "console.log(")
 		.replaceAll(/\bvar (\w+)( = [^;]*;)/g, (_, name, rest) => `${isAssignedLater(code, name) ? "let" : "const"} ${name}${rest}`)
 		.replaceAll(/\bnew &lt;\w+&gt;\[/g, "[").replaceAll(/\bpublic class\b/g, "class").replaceAll(/\b(?:(?:override|public|protected|private) )+function /g, "")
 		.replaceAll(/\b\w*Event\.([A-Z_]+)\b/g, (_, constant) => JSON.stringify(camelCase(constant)));

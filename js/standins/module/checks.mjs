@@ -41,7 +41,7 @@ function isOfOtherCopy(value, expected) {
 	const names = expected.match(/\b[A-Z]\w*/g) ?? [];
 	for (let each = value; each != null; each = Object.getPrototypeOf(each)) {
 		const type = Object.hasOwn(each, "constructor") && each.constructor;
-		if (names.includes(type?.name) && type !== globalThis[type.name] && Object.keys(value).some((key) => key.startsWith("_"))) return true;
+		if (names.includes(type?.name) && type !== globalThis[type.name] && Object.keys(value).some((key) => /^[_$]/.test(key))) return true;
 	}
 	return false;
 }

@@ -78,7 +78,7 @@ export function $loadAsync(loader, name, url, given) {
 		$aSignal("ModelLoader.loadAsync: options.signal", signal);
 		signal?.throwIfAborted();
 		loader.load(name, url, upAxis, scaling);
-		const load = loader._loads.at(-1);
+		const load = loader.$_loads.at(-1);
 		const stop = () => loader.drop(load);
 		signal?.addEventListener("abort", stop);
 		load.whenOver = (model, problem) => {

@@ -523,7 +523,7 @@ package starlogo.agents
         {
             if (idNumber == 0)
             {
-                return "a new agent";
+                return "new Agent";
             }
             return "agent " + idNumber + " (breed \"" + breed + "\", shape \"" + shape + "\")";
         }

@@ -395,7 +395,13 @@ package starlogo.bounding
             placement.place(point, out);
         }
 
-        /** Rotates a vector by the rotation of a placement, for structures of your own. The result is written to out, which may be the vector itself. */
+        /**
+         * Rotates a vector by the rotation of a placement, for structures of your own.
+         *
+         * @param vector in the model's space
+         * @param placement the model's placement
+         * @param out receives the vector in the world; may be the vector itself
+         */
         protected static function turnInto(vector:Vector3D, placement:Placement, out:Vector3D):void
         {
             placement.rotate(vector, out);

@@ -184,14 +184,14 @@ package starlogo.collision
         /**
          * The breeds that the handlers of the last frame name and that none of its agents has now. One of them may be misspelt. A handler that you add or
          * remove after that frame counts from the next one on. Before the first frame, and after <code>reset()</code>, there are none. TERRAIN is
-         * among them while <code>terrain</code> is null, and EDGE while <code>bounds</code> is null.
+         * among them without a <code>terrain</code>, and EDGE without <code>bounds</code>.
          */
         public function get breedsWithoutAgents():Vector.<String>
         {
             return _handlers.breedsWithout(_lastFrame.agents.concat(new <Agent>[ground, edges]));
         }
 
-        /** The counts of its last frame, for a trace. */
+        /** The counts of its last frame, as text. */
         public function toString():String
         {
             return "Collision: " + _statistics;
@@ -208,7 +208,7 @@ package starlogo.collision
          * @param handler <code>function(collider:Agent, collidee:Agent):void</code>, or with a third argument,
          *     <code>contact:Contact</code>. The engine computes contacts only for handlers that take them. A parameter counts whether it has
          *     a default value or not. A handler <code>function(...all):void</code> gets the two agents. A handler that takes no arguments
-         *     at all passes here, but Adobe's player throws an ArgumentError when it is called. So a line is traced if none has a name
+         *     at all passes here, but Adobe's player throws an ArgumentError when it is called, so a line is traced if none has a name
          * @throws ArgumentError if one is null, a breed has no name, or each breed is TERRAIN or EDGE. In Flash also if the handler has one parameter,
          *     or more than three
          */

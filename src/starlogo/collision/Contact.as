@@ -59,7 +59,7 @@ package starlogo.collision
          */
         public var approachSpeed:Number = 0;
 
-        /** Its values, for a trace. */
+        /** Its values, as text. */
         public function toString():String
         {
             return "contact at " + point + ", normal " + normal + ", depth " + depth + ", time " + time;

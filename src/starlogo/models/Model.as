@@ -137,7 +137,7 @@ package starlogo.models
             return _data.meshes.names;
         }
 
-        /** Its name and size, for a trace. */
+        /** Its name and size, as text. */
         public function toString():String
         {
             return "model \"" + name + "\" (" + vertices.length / 3 + " vertices, " + triangleCount + " triangles)";

@@ -34,7 +34,7 @@ package starlogo.models
             return new ModelEvent(type, _model);
         }
 
-        /** Its type and its model, for a trace. */
+        /** Its type and its model, as text. */
         override public function toString():String
         {
             return formatToString("ModelEvent", "type", "model");

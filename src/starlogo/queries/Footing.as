@@ -38,7 +38,7 @@ package starlogo.queries
         {
         }
 
-        /** Its values, for a trace. */
+        /** Its values, as text. */
         public function toString():String
         {
             return "footing " + (stands ? "on " + on + ", normal " + normal : "in the air") + (against ? ", against " + against : "") + ", part " + part + ", pushed "

@@ -11,7 +11,7 @@ package starlogo.queries
         {
         }
 
-        /** Its values, for a trace. */
+        /** Its values, as text. */
         public function toString():String
         {
             return "ray hit of " + agent + " at " + point + ", normal " + normal + ", distance " + distance;

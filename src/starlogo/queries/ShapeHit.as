@@ -14,7 +14,7 @@ package starlogo.queries
         {
         }
 
-        /** Its values, for a trace. */
+        /** Its values, as text. */
         public function toString():String
         {
             return "hit of " + agent + " at " + point + ", normal " + normal + ", time " + time;

@@ -93,7 +93,7 @@ package starlogo.terrain
             return terrain;
         }
 
-        /** Its size and place, for a trace. */
+        /** Its size and place, as text. */
         public function toString():String
         {
             return "terrain of " + columns + " by " + rows + " heights, " + cellWidth + " apart, from (" + x + ", " + y + ")";

@@ -207,7 +207,7 @@ package starlogo.agents
         {
             for each (var name:String in [Collision.ANY_BREED, Collision.TERRAIN, Collision.EDGE])
             {
-                var wanted:RegExp = new RegExp("^a new agent: breed must not be \"\\" + name + "\": ");
+                var wanted:RegExp = new RegExp("^new Agent: breed must not be \"\\" + name + "\": ");
                 assertThrows(ArgumentError, wanted, create, Agent, "sphere", name);
                 assertThrows(ArgumentError, /^agent \d+ .*: breed must not be/, setBreed, _agents[0], name);
                 assertEquals(NAMES[0], _agents[0].breed);

@@ -7,7 +7,7 @@ import { $hasWarned, $warn } from "./warn.mjs";
 /** A model that was posed so often is animated. */
 const $MANY_POSES = 30;
 
-/** If more than this part of a model's vertices is outside of the structure around it, the model is drawn elsewhere than it collides. */
+/** If this part of a model's vertices, or more, is outside of the structure around it, the model is drawn elsewhere than it collides. */
 const $MUCH = 0.25;
 
 /** The models whose trees some collision system has needed. */
@@ -57,7 +57,7 @@ function $lookAtStructure(structures, agent, { name, vertices }) {
 	const structure = structures.tightestFit(name);
 	let outside = 0;
 	for (let i = 0; i < vertices.length; i += 3) if (!structure.contains(new Vector3D(vertices[i], vertices[i + 1], vertices[i + 2]))) outside += 3;
-	if (outside <= $MUCH * vertices.length) return;
+	if (outside < $MUCH * vertices.length) return;
 	$warn(`${agent} collides as the structure around the first pose of its model: a pose moves the tree alone. Set hierarchical, in a CombinationCollider, `
 		+ "or fit again: greatLand.boundingStructures.add(model.name, model.vertices)", key);
 }

@@ -155,7 +155,7 @@ function $lookAtScaledLevels(collisionSystem, agents) {
 
 /** The collision system of a Collision or of questions, which may be about a Collision. */
 function $systemOf(updated) {
-	const source = updated._seen?._source ?? updated;
+	const source = updated.$_seen?.$_source ?? updated;
 	return source.collisionSystem ?? source;
 }
 
@@ -188,6 +188,7 @@ function $lookAtTraits(collisionSystem, agents) {
 /** Warns of an object's own properties that do nothing. */
 function $lookAtProperties(object) {
 	const type = object.constructor.name;
+	if (object instanceof Agent && Object.isFrozen(object)) $warn(`${object} is frozen, so it can't move: keep agents out of a store that freezes its state`, "frozen");
 	for (const name of Object.keys(object).filter((each) => !/^[_$]/.test(each))) {
 		if ($TREE_SETTINGS.includes(name)) $warn(`${name} does nothing on a ${type}: ${$remedyForSetting(type, name)}`);
 		const meant = $meantBy(object, name);

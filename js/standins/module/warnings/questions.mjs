@@ -80,7 +80,7 @@ export function $warnOfStale(queries, agents, mover) {
 /** Warns of questions that have not seen where restore() has put the agents. */
 function $lookAtRestored(kept, queries) {
 	kept.restores = $restores;
-	const agents = $restoredLists.get(queries._source);
+	const agents = $restoredLists.get(queries.$_source);
 	const agent = kept.agents && agents?.find((each) => $hasMovedSince(queries, each));
 	if (agent) $warn(`questions do not see ${agent} where restore() has put it: call queries.update(agents) after restore(), before you ask`, "restored");
 }
@@ -114,7 +114,7 @@ function $hasMovedSince({ $table: { listed, $places } }, agent) {
 
 /** Warns of a ground that has come since the last update of questions, if they have seen none: rays and walks go through it. */
 function $warnOfLateGround(queries) {
-	if (!queries._isUpdated || queries.$table.listed.agentsByRow[0] !== null) return; // ListedAgents.GROUND_ROW
+	if (!queries.$_isUpdated || queries.$table.listed.agentsByRow[0] !== null) return; // ListedAgents.GROUND_ROW
 	$warn("the ground was set after the last queries.update(agents), so questions do not see it: "
 		+ "set it before, or update them again", "ground");
 }
@@ -124,8 +124,8 @@ function $warnOfLateGround(queries) {
  * waits long if who is moved stays where it is, because a game may show its title before its first frame.
  */
 export function $warnOfNoFrames(queries) {
-	const collision = queries._source;
-	if (!(collision._handlers?._lists.length > 0) || $isUpdated(collision)) return;
+	const collision = queries.$_source;
+	if (!(collision.$_handlers?._lists.length > 0) || $isUpdated(collision)) return;
 	const kept = $getOrInsert($questions, queries, $newQuestions);
 	kept.updatesBefore++;
 	if (kept.walker !== null) {

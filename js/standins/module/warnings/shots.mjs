@@ -115,7 +115,7 @@ function $followShot(collision, agents, agent, shot, leastLeft) {
  * The agent that a shot has passed through in a step from a place; undefined if there is none, or if too many were tested. A filter may leave out what
  * shots go through, so with one nothing is said.
  */
-function $passedBy({ collisionSystem, filter, _handlers: { interests } }, agents, agent, from, step, leastLeft) {
+function $passedBy({ collisionSystem, filter, $_handlers: { interests } }, agents, agent, from, step, leastLeft) {
 	const { table } = collisionSystem.$search ?? {};
 	if (!table || filter) return undefined;
 	const greatLand = $greatLandOf(collisionSystem);

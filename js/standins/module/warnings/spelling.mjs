@@ -97,6 +97,7 @@ export function $hintOfValue(value, expected, given) {
 	if (typeof value !== "object" || value === null) return "";
 	if (expected.startsWith("an AgentFilter") && Array.isArray(value)) return typeof value[0] === "string" ? $HINT_OF_BREEDS : $HINT_OF_LIST;
 	if (expected === "an array" && "sweeps" in value) return ": all agents are in one, [level, hero]";
+	if (expected.startsWith("an array") && Symbol.iterator in value) return `. ${$spreadOf(value)} is one`;
 	if (typeof value.then === "function") return ": await it first";
 	if (expected === "an array of Agents" && "sweeps" in value) return ": put it into one, [agent]";
 	if (expected.startsWith("a Vector3D")) return Array.isArray(value) ? ". A point is an object: { x: 1, y: 2, z: 3 }" : $whatIsUndefined(value);
@@ -120,7 +121,8 @@ function $meantInCall(value, expected, given) {
 	const isSome = value !== null && /object|string/.test(typeof value) && typeof value.then !== "function";
 	if (given === "Collision.restore: bytes" && isSome) return $HINT_OF_SAVED;
 	if (given.startsWith("Collision.restore: agents[")) return $HINT_OF_COPIES;
-	if (expected === "an Agent" && value?.$revision !== undefined) return $HINT_OF_COPY;
+	if (expected === "an Agent" && (value?.$revision ?? value?.sweeps) !== undefined) return $HINT_OF_COPY;
+	if (/castAll: out$/.test(given) && value?.allSurfaces !== undefined) return ". Options are the argument after it: castAll(..., null, { allSurfaces: true })";
 	const [, model] = /^BuiltInModel\.(capsule|box): (?:radius|x)$/.exec(given) ?? [];
 	if (model && $isWord(value)) {
 		return `. The name comes last: ${model}(${model === "box" ? "4, 0.5, 3" : "0.3, 1.8"}, ${JSON.stringify(value)})`;
@@ -135,6 +137,12 @@ function $meantInCall(value, expected, given) {
 	}
 	const isNested = Array.isArray(value) && given.endsWith("]") && /^an? (?:number|integer)/.test(expected);
 	return isNested ? ". All numbers are in one flat list: list.flat()" : "";
+}
+
+/** How an array is made of what can be iterated. A Map has its values beside their keys. */
+function $spreadOf(value) {
+	if (value instanceof Map) return "[...map.values()]";
+	return value instanceof Set ? "[...set]" : "[...agents]";
 }
 
 /** Whether a value is a text, and not that of a number. */

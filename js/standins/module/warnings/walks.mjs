@@ -87,7 +87,7 @@ function $countFall(walker, agent, length) {
  */
 export function $warnOfWalk(seen, walker, footing) {
 	const { handlers, agent, footing: end } = $lastWalk ?? {};
-	$lastWalk = { handlers: seen._source._handlers, agent: walker, footing };
+	$lastWalk = { handlers: seen.$_source.$_handlers, agent: walker, footing };
 	if ($isPowerOfTwo(++$getOrInsert($walkers, walker, $newWalker).walks)) $lookAtFooting(footing);
 	if (!handlers) return;
 	if (end.part < 0.5) $countStop(handlers, $STOPS_BEFORE, agent, end.against);

@@ -12,7 +12,7 @@ package starlogo.solid.interior
     internal final class DepthMap
     {
         // The grid has fewer cells than the model has primitives: more memory decides few more points.
-        private static const PRIMITIVES_PER_CELL:int = 16;
+        private static const PRIMITIVES_PER_CELL:int = 64;
         private static const MAX_WIDTH:int = 128;
 
         // A reach may be too far by this fraction of the model's half-extent. So of many leaves that reach nearly as far, few are visited.
@@ -66,7 +66,11 @@ package starlogo.solid.interior
             var sign:int = _point[_axis] < _tree.boxes[_axis] ? -1 : 1;
             var row:int = cellOf((_axis + 1) % 3);
             var column:int = cellOf((_axis + 2) % 3);
-            var cell:int = (sign < 0 ? _width + row : row) * _width + column;
+            var cell:int = row * _width + column;
+            if (sign < 0)
+            {
+                cell += _width * _width;
+            }
             if (isNaN(_reaches[cell]))
             {
                 measure(cell, row, column, sign);

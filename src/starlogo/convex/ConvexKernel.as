@@ -109,7 +109,8 @@ package starlogo.convex
             motion.time = 0;
             cores.setShapes(a, b);
             cores.setMotion(motion);
-            cores.limitToTouchingOn(motion);
+            cores.limitToTouching();
+            cores.searchLimit += motion.margin;
             _balls.x = a.origin.x - b.origin.x + motion.startX;
             _balls.y = a.origin.y - b.origin.y + motion.startY;
             _balls.z = a.origin.z - b.origin.z + motion.startZ;

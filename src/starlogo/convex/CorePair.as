@@ -54,13 +54,6 @@ package starlogo.convex
                 + Tolerances.CORES * (first.boundingRadius + second.boundingRadius);
         }
 
-        /** Sets how far apart the cores may be to as far as the shapes touch on a motion, whose margin is included. */
-        public function limitToTouchingOn(motion:RelativeMotion):void
-        {
-            limitToTouching();
-            searchLimit += motion.margin;
-        }
-
         /** Sets the motion of a, and moves the first shape to where it is at the motion's time. */
         public function setMotion(motion:RelativeMotion):void
         {

@@ -78,25 +78,24 @@ package starlogo.hierarchy
          * Sets the box to the extents of a structure.
          *
          * @param extents least x, greatest x, least y, ...
-         * @param distance how much larger the box is on each side
          */
-        public function setExtents(extents:Vector.<Number>, distance:Number):void
+        public function setExtents(extents:Vector.<Number>):void
         {
             _x = (extents[0] + extents[1]) / 2;
             _y = (extents[2] + extents[3]) / 2;
             _z = (extents[4] + extents[5]) / 2;
-            _halfX = (extents[1] - extents[0]) / 2 + distance;
-            _halfY = (extents[3] - extents[2]) / 2 + distance;
-            _halfZ = (extents[5] - extents[4]) / 2 + distance;
+            _halfX = (extents[1] - extents[0]) / 2;
+            _halfY = (extents[3] - extents[2]) / 2;
+            _halfZ = (extents[5] - extents[4]) / 2;
         }
 
         /** Begins with the leaves that the box may meet on a motion, until its latest time. @param depth how many levels of the tree are visited */
         public function beginMet(tree:BoxTree, depth:int, motion:RelativeMotion):void
         {
             limit = motion.latestTime;
-            _inverseX = Math.max(-STILL, Math.min(STILL, 1 / motion.x));
-            _inverseY = Math.max(-STILL, Math.min(STILL, 1 / motion.y));
-            _inverseZ = Math.max(-STILL, Math.min(STILL, 1 / motion.z));
+            _inverseX = inverseOf(motion.x);
+            _inverseY = inverseOf(motion.y);
+            _inverseZ = inverseOf(motion.z);
             _earliest = 0;
             begin(tree, depth);
         }
@@ -106,9 +105,9 @@ package starlogo.hierarchy
         {
             setCube(ray.origin.x, ray.origin.y, ray.origin.z, 0);
             limit = ray.to;
-            _inverseX = Math.max(-STILL, Math.min(STILL, 1 / ray.direction.x));
-            _inverseY = Math.max(-STILL, Math.min(STILL, 1 / ray.direction.y));
-            _inverseZ = Math.max(-STILL, Math.min(STILL, 1 / ray.direction.z));
+            _inverseX = inverseOf(ray.direction.x);
+            _inverseY = inverseOf(ray.direction.y);
+            _inverseZ = inverseOf(ray.direction.z);
             _earliest = ray.from;
             begin(tree, depth);
         }
@@ -146,12 +145,21 @@ package starlogo.hierarchy
             _top = 1;
         }
 
-        /**
-         * The next leaf that the box may meet within the limit; -1 if there is none. The root is visited untested. On the way down the nearer child is next, and
-         * the other one waits. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One function
-         * does it all, because calls for each child take long in Adobe's VM.
-         */
+        private static function inverseOf(motion:Number):Number
+        {
+            return Math.max(-STILL, Math.min(STILL, 1 / motion));
+        }
+
+        /** The next leaf that the box may meet within the limit; -1 if there is none. The root is visited untested. */
         public function nextMet():int
+        {
+            var isStill:Boolean = Math.abs(_inverseX) == STILL && Math.abs(_inverseY) == STILL && Math.abs(_inverseZ) == STILL;
+            return isStill ? nextOverlapped() : nextEntered();
+        }
+
+        // Of two children that a moving box enters, the one that it enters earlier is next, and the other one waits. The times along the axes are compared
+        // in pairs, which decides most children along the first axis or the second. There is no call for each child, because calls take long in Adobe's VM.
+        private function nextEntered():int
         {
             var tree:BoxTree = _tree;
             var boxes:Vector.<Number> = tree.boxes;
@@ -167,78 +175,119 @@ package starlogo.hierarchy
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
-            var isStill:Boolean = absX == STILL && absY == STILL && absZ == STILL;
-            var isExact:Boolean = _depth == BoxTree.EXACT;
             var earliest:Number = _earliest;
             var latest:Number = limit < LATEST ? limit : LATEST;
-            var top:int = _top;
-            while (top > 0)
+            var node:int = nextWaiting(latest);
+            while (node >= 0 && !visit(node))
             {
-                top--;
-                var node:int = _enters[top] > latest ? -1 : _nodes[top];
-                while (node >= 0)
+                // of the children that are met, the one to visit next, and when it is entered
+                var next:int = -1;
+                var enterNext:Number = Infinity;
+                var left:int = tree.left[node];
+                for (var child:int = left; child < left + 2; child++)
                 {
-                    _counts.nodeVisits++;
-                    // an exact search reads one list less
-                    var left:int = tree.left[node];
-                    if (left == 0 || !isExact && tree.leafUpToDepth[node] >= _depth)
+                    // A box is met unless the moving box enters it along one axis after it has left it along another one.
+                    var at:int = 6 * child;
+                    var middle:Number = (boxes[at] - fromX) * inverseX;
+                    var half:Number = (boxes[int(at + 3)] + widerX) * absX;
+                    var enterX:Number = middle - half;
+                    var leaveX:Number = middle + half;
+                    if (enterX > latest || leaveX < earliest)
                     {
-                        _top = top;
-                        return node;
+                        continue;
                     }
-                    // of the children that are met, the one to visit next, and when it is entered
-                    var next:int = -1;
-                    var enterNext:Number = Infinity;
-                    for (var child:int = left; child < left + 2; child++)
+                    middle = (boxes[int(at + 1)] - fromY) * inverseY;
+                    half = (boxes[int(at + 4)] + widerY) * absY;
+                    var enterY:Number = middle - half;
+                    var leaveY:Number = middle + half;
+                    if (enterY > latest || leaveY < earliest || enterY > leaveX || leaveY < enterX)
                     {
-                        // A box is met unless the moving box enters it along one axis after it has left it along another one.
-                        var at:int = 6 * child;
-                        var middle:Number = (boxes[at] - fromX) * inverseX;
-                        var half:Number = (boxes[int(at + 3)] + widerX) * absX;
-                        var enterX:Number = middle - half;
-                        var leaveX:Number = middle + half;
-                        if (enterX > latest || leaveX < earliest)
-                        {
-                            continue;
-                        }
-                        middle = (boxes[int(at + 1)] - fromY) * inverseY;
-                        half = (boxes[int(at + 4)] + widerY) * absY;
-                        var enterY:Number = middle - half;
-                        var leaveY:Number = middle + half;
-                        if (enterY > latest || leaveY < earliest || enterY > leaveX || leaveY < enterX)
-                        {
-                            continue;
-                        }
-                        middle = (boxes[int(at + 2)] - fromZ) * inverseZ;
-                        half = (boxes[int(at + 5)] + widerZ) * absZ;
-                        var enterZ:Number = middle - half;
-                        var leaveZ:Number = middle + half;
-                        if (enterZ > latest || leaveZ < earliest || enterZ > leaveX || leaveZ < enterX || enterZ > leaveY || leaveZ < enterY)
-                        {
-                            continue;
-                        }
-                        var enter:Number = enterX > earliest ? enterX : earliest;
-                        enter = enterY > enter ? enterY : enter;
-                        enter = enterZ > enter ? enterZ : enter;
-                        if (isStill ? next >= 0 && !isRightNearer(tree, node) : enter >= enterNext)
-                        {
-                            _nodes[top] = child;
-                            _enters[top++] = enter;
-                            continue;
-                        }
-                        if (next >= 0)
-                        {
-                            _nodes[top] = next;
-                            _enters[top++] = enterNext;
-                        }
-                        next = child;
-                        enterNext = enter;
+                        continue;
                     }
-                    node = next;
+                    middle = (boxes[int(at + 2)] - fromZ) * inverseZ;
+                    half = (boxes[int(at + 5)] + widerZ) * absZ;
+                    var enterZ:Number = middle - half;
+                    var leaveZ:Number = middle + half;
+                    if (enterZ > latest || leaveZ < earliest || enterZ > leaveX || leaveZ < enterX || enterZ > leaveY || leaveZ < enterY)
+                    {
+                        continue;
+                    }
+                    var enter:Number = enterX > earliest ? enterX : earliest;
+                    enter = enterY > enter ? enterY : enter;
+                    enter = enterZ > enter ? enterZ : enter;
+                    if (enter >= enterNext)
+                    {
+                        _nodes[_top] = child;
+                        _enters[_top++] = enter;
+                        continue;
+                    }
+                    if (next >= 0)
+                    {
+                        _nodes[_top] = next;
+                        _enters[_top++] = enterNext;
+                    }
+                    next = child;
+                    enterNext = enter;
+                }
+                node = next < 0 ? nextWaiting(latest) : next;
+            }
+            return node;
+        }
+
+        // Of two children that a standing box overlaps, the one that is nearer to its middle is next, and the other one waits.
+        private function nextOverlapped():int
+        {
+            var node:int = nextWaiting(limit);
+            while (node >= 0 && !visit(node))
+            {
+                var left:int = _tree.left[node];
+                var overlapsRight:Boolean = overlaps(left + 1);
+                if (!overlaps(left))
+                {
+                    node = overlapsRight ? left + 1 : nextWaiting(limit);
+                    continue;
+                }
+                var isRightNext:Boolean = overlapsRight && isRightNearer(_tree, node);
+                if (overlapsRight)
+                {
+                    _nodes[_top] = isRightNext ? left : left + 1;
+                    _enters[_top++] = _earliest;
+                }
+                node = isRightNext ? left + 1 : left;
+            }
+            return node;
+        }
+
+        // Takes the next node that waits and is entered within the limit; -1 if there is none.
+        private function nextWaiting(latest:Number):int
+        {
+            while (_top > 0)
+            {
+                _top--;
+                if (_enters[_top] <= latest)
+                {
+                    return _nodes[_top];
                 }
             }
-            _top = 0;
             return -1;
+        }
+
+        // Visits a node. Returns whether it is a leaf.
+        private function visit(node:int):Boolean
+        {
+            _counts.nodeVisits++;
+            // an exact search reads one list less
+            return _depth == BoxTree.EXACT ? _tree.left[node] == 0 : _tree.leafUpToDepth[node] >= _depth;
+        }
+
+        // Whether the standing box overlaps that of a node.
+        private function overlaps(node:int):Boolean
+        {
+            var boxes:Vector.<Number> = _tree.boxes;
+            var at:int = 6 * node;
+            return Math.abs(boxes[at] - _x) <= boxes[int(at + 3)] + _halfX + _slack
+                && Math.abs(boxes[int(at + 1)] - _y) <= boxes[int(at + 4)] + _halfY + _slack
+                && Math.abs(boxes[int(at + 2)] - _z) <= boxes[int(at + 5)] + _halfZ + _slack;
         }
 
         // Whether the box's middle is nearer to the right child of a node than to the left one, along the axis of their split.

@@ -45,6 +45,10 @@ package starlogo.search
         public var halfY:Number = 0;
         public var halfZ:Number = 0;
 
+        /** Half of the largest and of the smallest extent. Fields, because V8 makes objects of the Numbers of getters that it does not inline. */
+        public var maxHalf:Number = 0;
+        public var minHalf:Number = 0;
+
         /** The way from the place to the middle of the extents. */
         public var offsetX:Number = 0;
         public var offsetY:Number = 0;
@@ -102,6 +106,8 @@ package starlogo.search
             halfX = other.halfX;
             halfY = other.halfY;
             halfZ = other.halfZ;
+            maxHalf = other.maxHalf;
+            minHalf = other.minHalf;
             _isPlaced = false;
         }
 
@@ -123,6 +129,8 @@ package starlogo.search
             halfX *= factor;
             halfY *= factor;
             halfZ *= factor;
+            maxHalf *= factor;
+            minHalf *= factor;
             _isPlaced = false;
         }
 
@@ -242,21 +250,6 @@ package starlogo.search
             return Math.sqrt(offsetX * offsetX + offsetY * offsetY + offsetZ * offsetZ);
         }
 
-        /** Half of the largest extent. */
-        public function get maxHalf():Number
-        {
-            // not Math.max, for which V8 would make objects of the Numbers
-            var most:Number = halfX > halfY ? halfX : halfY;
-            return most > halfZ ? most : halfZ;
-        }
-
-        /** Half of the smallest extent. */
-        public function get minHalf():Number
-        {
-            var least:Number = halfX < halfY ? halfX : halfY;
-            return least < halfZ ? least : halfZ;
-        }
-
         /** Half of the length of the extents along the normal of a contact. */
         public function halfAlong(contact:ContactPoint):Number
         {
@@ -295,10 +288,20 @@ package starlogo.search
             offsetX = sExtents[0];
             offsetY = sExtents[1];
             offsetZ = sExtents[2];
-            halfX = sExtents[3];
-            halfY = sExtents[4];
-            halfZ = sExtents[5];
+            takeHalves(sExtents);
             _isPlaced = false;
+        }
+
+        /** Takes half of the lengths of extents, which come after their middle. */
+        internal function takeHalves(extents:Vector.<Number>):void
+        {
+            halfX = extents[3];
+            halfY = extents[4];
+            halfZ = extents[5];
+            var most:Number = halfX > halfY ? halfX : halfY;
+            var least:Number = halfX < halfY ? halfX : halfY;
+            maxHalf = Math.max(most, halfZ);
+            minHalf = Math.min(least, halfZ);
         }
 
         // Puts a structure into the world, in an object of its kind: _placed.

@@ -51,9 +51,7 @@ package starlogo.search
             place.y = _extents[1];
             place.z = _extents[2];
             _body.takeShape(shape);
-            _body.halfX = _extents[3];
-            _body.halfY = _extents[4];
-            _body.halfZ = _extents[5];
+            _body.takeHalves(_extents);
             return _body;
         }
 

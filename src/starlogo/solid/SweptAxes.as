@@ -19,10 +19,11 @@ package starlogo.solid
         // The largest number of axes, which a box or a hull has: two for each of three directions. A capsule has three, a sphere one.
         private static const MAX_AXES:int = 6;
 
-        // The shape, how far its core may be from a triangle that it touches, and its motion.
-        private var _shape:ConvexShape;
-        private var _cullDistance:Number = 0;
-        private var _motion:RelativeMotion;
+        /** How far the core may be from a triangle that the shape touches, with all that is rounded. Set it before the first triangle is tested. */
+        public var cullDistance:Number = 0;
+
+        private var _shape:ConvexShape = null;
+        private var _motion:RelativeMotion = null;
 
         // The numbers of all axes, and their end.
         private var _axes:Vector.<Number> = new Vector.<Number>(PER_AXIS * MAX_AXES, true);
@@ -36,13 +37,11 @@ package starlogo.solid
          * Sets the shape. Its axes are made for the first triangle that is tested: most motions come near none.
          *
          * @param shape kept
-         * @param cullDistance how far the shape's core may be from a triangle that it touches, with all that is rounded
          * @param motion of the shape; kept. Its latest time may change from triangle to triangle
          */
-        public function setTo(shape:ConvexShape, cullDistance:Number, motion:RelativeMotion):void
+        public function setTo(shape:ConvexShape, motion:RelativeMotion):void
         {
             _shape = shape;
-            _cullDistance = cullDistance;
             _motion = motion;
             _end = 0;
         }
@@ -98,7 +97,7 @@ package starlogo.solid
             var sign:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
             _axis.setTo(sign * x, sign * y, sign * z);
             _shape.project(_axis, _ofShape);
-            var radius:Number = _cullDistance * _axis.length;
+            var radius:Number = cullDistance * _axis.length;
             var origin:Number = _axis.x * _shape.origin.x + _axis.y * _shape.origin.y + _axis.z * _shape.origin.z;
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
@@ -177,7 +176,7 @@ package starlogo.solid
                     // rounding of products of the three vectors
                     gap -= Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z))
                         * (Math.abs(edgeX) + Math.abs(edgeY) + Math.abs(edgeZ)) * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-                    if (gap > _cullDistance * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ))
+                    if (gap > cullDistance * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ))
                     {
                         return true;
                     }

@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
@@ -39,6 +40,9 @@ package starlogo.solid
         private var _search:BoxSearch;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _measured:ClosestPoints = new ClosestPoints();
+
+        // A point of the structure.
+        private var _point:Vector3D = new Vector3D();
 
         /** @param counts counts what the questions take */
         public function TreeStructureQuery(counts:TreeCounts)
@@ -149,7 +153,7 @@ package starlogo.solid
             var structure:BoundingStructure = placed();
             structure.widen(pose.margin);
             structure.extentsInto(_extents);
-            _search.setExtents(_extents, 0);
+            _search.setExtents(_extents);
             return structure;
         }
 
@@ -203,9 +207,19 @@ package starlogo.solid
         /** A structure that does not touch the surface is inside if one point of it is. @inheritDoc */
         override internal function findInside(out:ClosestPoints):Boolean
         {
-            // The search has set the shape. The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
+            // The search has set the shape. The origin of its points is inside of it. If it is round, all its points are, with a ball around each: the
+            // highest one is taken, because above a level there is mostly nothing.
             var shape:ConvexShape = _kernel.shape;
-            if (!_tree.isInside(shape.origin, shape.radius))
+            var point:Vector3D = _point;
+            point.copyFrom(shape.origin);
+            if (shape.radius > 0)
+            {
+                var at:int = shape.support(Vector3D.Z_AXIS, 1);
+                point.x += shape.points[at];
+                point.y += shape.points[int(at + 1)];
+                point.z += shape.points[int(at + 2)];
+            }
+            if (!_tree.isInside(point, shape.radius))
             {
                 return false;
             }

@@ -163,7 +163,7 @@ package starlogo.hierarchy
                 _extents[axis] = _random.between(-8, 8);
                 _extents[axis + 1] = _extents[axis] + _random.between(0, 1);
             }
-            _search.setExtents(_extents, 0);
+            _search.setExtents(_extents);
         }
 
         private function findAll(next:Function):void

@@ -5,7 +5,9 @@ package starlogo.solid
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
     import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.solid.interior.Interior;
     import support.Complaints;
     import support.Effort;
     import support.SolidAngles;
@@ -46,6 +48,39 @@ package starlogo.solid
         {
             compare("octahedron", OCTAHEDRON, true);
             compare("one-sided", ONE_SIDED, true);
+        }
+
+        /** No map of how far the model reaches changes what counting says. The model is shortest along each axis once. */
+        [Test]
+        public function aMapOfDepthsAgreesWithCounting():void
+        {
+            var wrong:Complaints = new Complaints();
+            var inside:int = 0;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var model:Model = BuiltInModel.sphere();
+                for (var i:int = 0; i < model.vertices.length; i += 3)
+                {
+                    var bump:Number = 1 + 0.3 * Math.sin(9 * model.vertices[i]) * Math.sin(8 * model.vertices[i + 1]);
+                    for (var k:int = 0; k < 3; k++)
+                    {
+                        model.vertices[i + k] *= k == axis ? 0.5 * bump : bump;
+                    }
+                }
+                var library:HierarchiesLibrary = new HierarchiesLibrary();
+                library.add("bumpy", model.vertices, model.triangles);
+                var interior:Interior = library.treeOf("bumpy").preparedInterior();
+                for (i = 0; i < 2000; i++)
+                {
+                    var point:Vector3D = new Vector3D(_random.between(-0.7, 0.7), _random.between(-0.7, 0.7), _random.between(-0.7, 0.7));
+                    var shells:Vector.<int> = new Vector.<int>();
+                    interior.findEnclosing(point, shells);
+                    inside += shells.length > 0 ? 1 : 0;
+                    wrong.addIf(interior.isInside(point) != shells.length > 0, "by the map", axis + ", " + point);
+                }
+            }
+            wrong.assertNone();
+            assertTrue("inside: " + inside, inside > 300 && inside < 5000);
         }
 
         private function compare(name:String, triangles:Vector.<uint>, hasSeams:Boolean):void

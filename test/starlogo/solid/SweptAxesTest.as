@@ -86,7 +86,7 @@ package starlogo.solid
                     var corner:Vector3D = new Vector3D(motion.x / 2 + height * axis.x, motion.y / 2 + height * axis.y, motion.z / 2 + height * axis.z);
                     _corners = new <Number>[corner.x, corner.y, corner.z, corner.x + 1e-3 * along.x, corner.y + 1e-3 * along.y, corner.z + 1e-3 * along.z,
                             corner.x + 1e-3 * motion.x, corner.y + 1e-3 * motion.y, corner.z + 1e-3 * motion.z];
-                    _axes.setTo(box, 0, _motion);
+                    _axes.setTo(box, _motion);
                     _wrong.addIf(!_axes.areApart(_corners), "not ruled out", "edge " + edge + " of " + i);
                 }
             }
@@ -204,7 +204,8 @@ package starlogo.solid
         {
             var size:Number = 3 * shape.margin + Math.abs(_motion.x) + Math.abs(_motion.y) + Math.abs(_motion.z) + Math.abs(shape.origin.x) + Math.abs(shape.origin.y)
                 + Math.abs(shape.origin.z) + shape.boundingRadius;
-            _axes.setTo(shape, shape.radius + shape.margin + Tolerances.EXTENTS * size, _motion);
+            _axes.cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
+            _axes.setTo(shape, _motion);
             var isRuledOut:Boolean = _axes.areApart(_corners);
             var isTouched:Boolean = touches(shape);
             _wrong.addIf(isRuledOut && isTouched, "ruled out, but touched", what);

@@ -212,7 +212,8 @@ package starlogo.queries.motion
 
         private static function hasLength(motion:Vector3D):Boolean
         {
-            return motion.lengthSquared > Tolerances.VANISHING;
+            // not lengthSquared, because V8 makes an object for the Number of a getter
+            return motion.x * motion.x + motion.y * motion.y + motion.z * motion.z > Tolerances.VANISHING;
         }
 
         // Finds the plane that the motion crosses at the steepest angle. It stops the motion at once, without a triangle, because the plane stands for all

@@ -1,5 +1,6 @@
 package starlogo.solid.interior
 {
+    import flash.geom.Vector3D;
     import starlogo.convex.TrianglePlane;
     import starlogo.data.zeroedInts;
     import starlogo.geometry.cubeRoot;
@@ -208,7 +209,7 @@ package starlogo.solid.interior
                 point[axis] += fraction * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
                     + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
-            _countedCrossings += _interior.findEnclosing(point[0], point[1], point[2], _shellsAroundPoint);
+            _countedCrossings += _interior.findEnclosing(new Vector3D(point[0], point[1], point[2]), _shellsAroundPoint);
         }
 
         // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none if

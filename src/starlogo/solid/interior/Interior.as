@@ -53,6 +53,9 @@ package starlogo.solid.interior
 
         private var _search:BoxSearch = new BoxSearch();
 
+        // Knows of most points outside that they are. Null before the first point.
+        private var _depthMap:DepthMap = null;
+
         // The axis of all rays, 0 for x. It is the axis along which the model is shortest.
         private var _axis:int;
 
@@ -112,7 +115,12 @@ package starlogo.solid.interior
          */
         public function isInside(point:Vector3D):Boolean
         {
-            countWindings(point.x, point.y, point.z);
+            _depthMap ||= new DepthMap(tree, _axis, slack);
+            if (_depthMap.isBeyond(point))
+            {
+                return false;
+            }
+            countWindings(point);
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 if (encloses(_crossed[i]))
@@ -123,15 +131,21 @@ package starlogo.solid.interior
             return false;
         }
 
+        // How far a triangle may be outside of its node's box: welding moves corners, and numbers are rounded.
+        private function get slack():Number
+        {
+            return surface.widestSeam + Tolerances.ROUNDING * tree.radiusAboutOrigin;
+        }
+
         /**
          * Finds the shells that have a point inside of them, and not in a cavity.
          *
          * @param out receives the shells, each as often as the ray crosses it
          * @return how many triangles the ray crosses, which says how much work it was
          */
-        public function findEnclosing(x:Number, y:Number, z:Number, out:Vector.<int>):int
+        public function findEnclosing(point:Vector3D, out:Vector.<int>):int
         {
-            countWindings(x, y, z);
+            countWindings(point);
             out.length = 0;
             for (var i:int = 0; i < _crossedCount; i++)
             {
@@ -155,8 +169,11 @@ package starlogo.solid.interior
         // of the model, counts the triangles that it crosses.
         // Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same answer to the
         // last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.
-        private function countWindings(x:Number, y:Number, z:Number):void
+        private function countWindings(point:Vector3D):void
         {
+            var x:Number = point.x;
+            var y:Number = point.y;
+            var z:Number = point.z;
             _windings ||= new Vector.<int>(surface.shellStates.length, true);
             for (var before:int = 0; before < _crossedCount; before++)
             {
@@ -167,7 +184,6 @@ package starlogo.solid.interior
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < tree.boxes[_axis];
-            var slack:Number = surface.widestSeam + Tolerances.ROUNDING * tree.radiusAboutOrigin;
             _search.setCube(x, y, z, slack);
             _search.beginAlongAxis(tree, _axis, _isBackward ? -1 : 1);
             for (var leaf:int = _search.nextMet(); leaf >= 0; leaf = _search.nextMet())

@@ -218,7 +218,7 @@ package starlogo.search
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW), input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
             var earlyCount:int = _pairsOfChanged.putInOrder(_motions.anySweeps);
-            _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
+            _pairs.replacePairsOf(_changedRows.rows, _pairsOfChanged, earlyCount);
         }
     }
 }

@@ -90,7 +90,7 @@ package starlogo.search
             {
                 return false;
             }
-            rows.addAll(_table.changedEnvironment);
+            rows.addAll(_table.environment.changed);
             return true;
         }
 

@@ -177,7 +177,7 @@ package starlogo.search
             table.setList(input.agents);
             _motions.read();
             table.readPlaces();
-            table.readEnvironment(input.ground, input.edges);
+            table.environment.read(input.ground, input.edges);
         }
 
         // Whether there are pairs to update: those of the last search, if it depended on the same as this one, besides agents, ground and edges.

@@ -57,8 +57,8 @@ package starlogo.search.table
         /** The rows that the last list has changed: their agents have, or their models were replaced. */
         engine var changed:IntList = new IntList();
 
-        /** The rows of the ground and the edges of the world, if the last <code>readEnvironment()</code> found others, or found them changed. */
-        engine var changedEnvironment:IntList = new IntList();
+        /** The rows of the ground and the edges of the world. */
+        engine var environment:EnvironmentRows;
 
         // Chooses the shapes of the agents. It may have other tables too.
         private var _choice:BaseShapeChoice;
@@ -82,6 +82,7 @@ package starlogo.search.table
         {
             _choice = choice;
             this.listed = listed || new ListedAgents();
+            environment = new EnvironmentRows(this);
             makeRoom();
         }
 
@@ -116,7 +117,7 @@ package starlogo.search.table
             if (isOtherList)
             {
                 listed.accept(agents);
-                applyListChanges();
+                emptyLeftRows();
             }
             writeNewShapes();
         }
@@ -184,50 +185,6 @@ package starlogo.search.table
             }
         }
 
-        /** Reads the ground and the edges of the world for a search. Either may be null. */
-        public function readEnvironment(ground:EnvironmentAgent, edges:EnvironmentAgent):void
-        {
-            changedEnvironment.count = 0;
-            readEnvironmentAgent(ListedAgents.GROUND_ROW, ground);
-            readEnvironmentAgent(ListedAgents.EDGES_ROW, edges);
-        }
-
-        private function readEnvironmentAgent(row:int, agent:EnvironmentAgent):void
-        {
-            var isOther:Boolean = listed.agentsByRow[row] !== agent;
-            if (isOther)
-            {
-                listed.agentsByRow[row] = agent;
-                shapes[row] = null;
-            }
-            if (isOther || agent != null && agent.revision != revisions[row])
-            {
-                changedEnvironment.add(row);
-            }
-            if (agent != null)
-            {
-                breeds[row] = agent.breedNumber;
-                revisions[row] = agent.revision;
-                writeSurface(row);
-            }
-        }
-
-        /** Reads the ground and the edges of the last search again, as they are now. */
-        public function refreshEnvironment():void
-        {
-            writeSurface(ListedAgents.GROUND_ROW);
-            writeSurface(ListedAgents.EDGES_ROW);
-        }
-
-        private function writeSurface(row:int):void
-        {
-            var agent:EnvironmentAgent = EnvironmentAgent(listed.agentsByRow[row]);
-            if (agent != null && shapes[row] !== agent.surface)
-            {
-                writeShape(row, agent.surface);
-            }
-        }
-
         /**
          * The body of an agent as it is now. Its shape is null while the agent's model is loading.
          *
@@ -267,6 +224,7 @@ package starlogo.search.table
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
+            body.orderKey = listed.listIndices[row];
             body.moveToRow(row, places);
             return body;
         }
@@ -315,8 +273,8 @@ package starlogo.search.table
             return true;
         }
 
-        // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.
-        private function applyListChanges():void
+        // Empties the rows of agents that have left. So a new agent finds an empty row.
+        private function emptyLeftRows():void
         {
             var changes:IntList = listed.leftOrReordered;
             for (var i:int = 0; i < changes.count; i++)
@@ -327,10 +285,6 @@ package starlogo.search.table
                     shapes[row] = null;
                     extents.levelIndices[row] = 0;
                 }
-            }
-            for (i = 0; i < listed.rows.count; i++)
-            {
-                _bodies[listed.rows.values[i]].orderKey = i;
             }
         }
 
@@ -407,8 +361,8 @@ package starlogo.search.table
             }
         }
 
-        // Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading.
-        private function writeShape(row:int, shape:ModelShape):void
+        /** Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading. */
+        internal function writeShape(row:int, shape:ModelShape):void
         {
             shapes[row] = shape;
             if (shape == null)
@@ -418,7 +372,6 @@ package starlogo.search.table
             var agent:Agent = listed.agentsByRow[row];
             var body:Body = _bodies[row];
             body.setToAgent(agent, shape);
-            body.orderKey = listed.listIndices[row];
             writeExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
         }

@@ -104,7 +104,7 @@ package starlogo.collision
         override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return search.areColliding(a, b);
+            return search.contacts.areColliding(a, b);
         }
 
         /** @inheritDoc */
@@ -170,7 +170,7 @@ package starlogo.collision
             {
                 inSearch.table.environment.refresh();
             }
-            inSearch.findContact(collider, collidee, _motion, _point);
+            inSearch.contacts.findContact(collider, collidee, _motion, _point);
             contact.setFromPoint(_point);
             contact.time = _motion.time;
             contact.approachSpeed = Math.max(0, -(_motion.x * _point.normalX + _motion.y * _point.normalY + _motion.z * _point.normalZ));

@@ -7,7 +7,7 @@ package starlogo.broadphase
     import starlogo.data.IntSet;
 
     /**
-     * The bins alone, with extents that come from no agent. ChangedRowsTest and test/fuzz/kept.test.mjs compare whole frames in which few agents have
+     * The bins alone, with extents that come from no agent. ChangedRowSearchTest and test/fuzz/kept.test.mjs compare whole frames in which few agents have
      * changed with those of a search of all rows.
      */
     public class BinsTest

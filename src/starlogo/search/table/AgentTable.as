@@ -1,4 +1,4 @@
-// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. setList() reads the agents' bodies, readPlaces() their
+// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. readBodies() reads the agents' bodies, readPlaces() their
 // places.
 package starlogo.search.table
 {
@@ -86,10 +86,10 @@ package starlogo.search.table
             makeRoom();
         }
 
-        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>setList()</code> does */
+        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>readBodies()</code> does */
         public function read(agents:Vector.<Agent>):void
         {
-            setList(agents);
+            readBodies(agents);
             readPlaces();
         }
 
@@ -101,7 +101,7 @@ package starlogo.search.table
          *     listed are then unchanged
          * @throws RangeError if a structure is out of the world. All rows that are listed are then unchanged
          */
-        public function setList(agents:Vector.<Agent>):void
+        public function readBodies(agents:Vector.<Agent>):void
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;

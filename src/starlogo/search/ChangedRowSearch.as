@@ -12,19 +12,19 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The rows that have changed since the last search, and the members near them. Only these rows can have other pairs than in the last search.
+     * Finds the pairs of the rows that have changed since the last search. Only these rows can have other pairs than in the last search.
      *
      * <p>A row has changed if its agent has (<code>Agent.revision</code>), if its shape was replaced, if it came, left or got another place among the
      * others in the list, or if it becomes a member of the search or ceases to be one. After a search with sweeping agents, rows that moved in that
      * search have changed too, because their pairs belong to their motions.</p>
      */
-    internal final class ChangedRows extends PairSink
+    internal final class ChangedRowSearch extends PairSink
     {
         // Changed rows are few if there are at least this many rows for each of them.
         private static const ROWS_PER_CHANGE:int = 8;
 
         /** The rows that have changed. Those of the ground and the edges of the world come last. Read only. */
-        public var rows:ListedIntSet = new ListedIntSet();
+        public var changedRows:ListedIntSet = new ListedIntSet();
 
         /** The number of members of the search. Read only. */
         public var memberCount:int = 0;
@@ -51,7 +51,7 @@ package starlogo.search
          * @param bins those of the searches of all rows
          * @param candidateTests takes the pairs
          */
-        public function ChangedRows(table:AgentTable, motions:RowMotions, bins:Bins, candidateTests:CandidateTests)
+        public function ChangedRowSearch(table:AgentTable, motions:RowMotions, bins:Bins, candidateTests:CandidateTests)
         {
             _table = table;
             _motions = motions;
@@ -86,11 +86,11 @@ package starlogo.search
                 return false;
             }
             findRows(input);
-            if (!areFew(rows.list.count))
+            if (!areFew(changedRows.list.count))
             {
                 return false;
             }
-            rows.addAll(_table.environment.changed);
+            changedRows.addAll(_table.environment.changed);
             return true;
         }
 
@@ -102,10 +102,10 @@ package starlogo.search
 
         private function findRows(input:SearchInput):void
         {
-            rows.clear(_table.listed.rowCapacity);
-            rows.addAll(_table.changed);
-            rows.addAll(_table.listed.leftOrReordered);
-            rows.addAll(_motions.rowsToRetest);
+            changedRows.clear(_table.listed.rowCapacity);
+            changedRows.addAll(_table.changed);
+            changedRows.addAll(_table.listed.leftOrReordered);
+            changedRows.addAll(_motions.rowsToRetest);
             for (var row:int = _areMembers.length; row < _table.listed.rowCapacity; row++)
             {
                 _areMembers[row] = false;
@@ -119,15 +119,15 @@ package starlogo.search
         /** Finds the members near the changed ones, and passes each pair to the tests once. */
         public function findPairs(input:SearchInput):void
         {
-            if (rows.list.count == 0)
+            if (changedRows.list.count == 0)
             {
                 return;
             }
             var extents:Extents = _motions.searchExtents;
-            _motions.findExtents(rows.list);
+            _motions.findExtents(changedRows.list);
             updateMembers(input);
             noteStale(input);
-            var members:IntList = input.membersAmong(rows.list, _table);
+            var members:IntList = input.membersAmong(changedRows.list, _table);
             for (var i:int = 0; i < members.count; i++)
             {
                 _bins.findNear(members.values[i], extents, _staleRows, _candidateTests);
@@ -138,7 +138,7 @@ package starlogo.search
         /** Takes pairs of stale rows, and passes on those of which one has changed. @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            if (!rows.has(row))
+            if (!changedRows.has(row))
             {
                 count = keepChanged(others, count);
             }
@@ -153,7 +153,7 @@ package starlogo.search
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                if (rows.has(others[i]))
+                if (changedRows.has(others[i]))
                 {
                     others[kept] = others[i];
                     kept++;
@@ -164,9 +164,9 @@ package starlogo.search
 
         private function updateMembers(input:SearchInput):void
         {
-            for (var i:int = 0; i < rows.list.count; i++)
+            for (var i:int = 0; i < changedRows.list.count; i++)
             {
-                var row:int = rows.list.values[i];
+                var row:int = changedRows.list.values[i];
                 var isMember:Boolean = input.isMember(row, _table);
                 memberCount += int(isMember) - int(_areMembers[row]);
                 _areMembers[row] = isMember;
@@ -177,19 +177,19 @@ package starlogo.search
         private function noteStale(input:SearchInput):void
         {
             _staleRows.grow(_table.listed.rowCapacity);
-            _staleRows.addAll(rows.list);
+            _staleRows.addAll(changedRows.list);
             if (!areFew(_staleRows.list.count))
             {
                 _bins.sortIntoCells(_motions.searchExtents, input.membersOf(_table));
                 _staleRows.clear(_table.listed.rowCapacity);
-                _staleRows.addAll(rows.list);
+                _staleRows.addAll(changedRows.list);
             }
         }
 
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
         public function rowsToTestWith(environmentRow:int):IntList
         {
-            return rows.has(environmentRow) ? _table.listed.rows : rows.list;
+            return changedRows.has(environmentRow) ? _table.listed.rows : changedRows.list;
         }
 
         // Adds the rows that become members, or cease to be members. The other rows have their breeds of the last search.
@@ -201,7 +201,7 @@ package starlogo.search
                 var row:int = listed.values[i];
                 if (input.isMember(row, _table) != _areMembers[row])
                 {
-                    rows.add(row);
+                    changedRows.add(row);
                 }
             }
         }

@@ -78,7 +78,7 @@ package starlogo.agents
          */
         engine var bodyRevision:int = 0;
 
-        /** @private The revision that the last jump made. The agent has no motion up to this revision. */
+        /** @private The revision that the last jump made, or 0. No motion of the agent begins before it. */
         engine var jumpRevision:int = 0;
 
         /** @private The value of <code>id</code>, without a call. */

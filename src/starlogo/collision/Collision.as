@@ -257,7 +257,7 @@ package starlogo.collision
          */
         public function update(agents:Vector.<Agent>):void
         {
-            _frames.requireNone("update");
+            _frames.requireNoFrame("update");
             requireGiven("agents", agents);
             _frames.run(agents, ground, edges, filter);
         }
@@ -324,7 +324,7 @@ package starlogo.collision
         // The engine's collider for a snapshot.
         private function engineCollider(what:String):Collider
         {
-            _frames.requireNone(what);
+            _frames.requireNoFrame(what);
             var collider:Collider = _frames.nextSystem.samePairsCollider;
             if (collider == null)
             {

@@ -83,7 +83,7 @@ package starlogo.collision
         }
 
         /** Throws an IllegalOperationError if a frame is under way. @param what the method that was called */
-        public function requireNone(what:String):void
+        public function requireNoFrame(what:String):void
         {
             if (_system != null)
             {

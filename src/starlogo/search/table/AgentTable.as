@@ -1,5 +1,5 @@
 // This folder reads the agents of a list into rows. Read this file first, then ListedAgents. readBodies() reads the agents' bodies, readPlaces() their
-// places.
+// places. EnvironmentRows reads the ground and the edges of the world.
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
@@ -64,7 +64,7 @@ package starlogo.search.table
         private var _choice:BaseShapeChoice;
 
         // Whether the places are those of a snapshot. All rows are read with the next list then.
-        private var _isRestored:Boolean = false;
+        private var _arePlacesRestored:Boolean = false;
 
         // By row: the body, and the agent's bodyRevision at which it was read.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
@@ -133,7 +133,7 @@ package starlogo.search.table
                 writePlace(row, agent);
                 extents.assignLevel(row);
             }
-            _isRestored = false;
+            _arePlacesRestored = false;
         }
 
         /**
@@ -167,7 +167,7 @@ package starlogo.search.table
             {
                 revisions[row] = UNSEEN;
             }
-            _isRestored = true;
+            _arePlacesRestored = true;
         }
 
         /** Whether a motion of a row's agent may begin at its place: the last search has seen the agent there, and it has not jumped since. */
@@ -198,8 +198,8 @@ package starlogo.search.table
             {
                 return bodyOf(row);
             }
-            var environment:EnvironmentAgent = agent as EnvironmentAgent;
-            spare.setToAgent(agent, environment == null ? _choice.shapeOf(agent) : environment.requireSurface());
+            var environmentAgent:EnvironmentAgent = agent as EnvironmentAgent;
+            spare.setToAgent(agent, environmentAgent == null ? _choice.shapeOf(agent) : environmentAgent.requireSurface());
             spare.orderKey = listed.orderKeyOf(agent, row);
             return spare;
         }
@@ -207,7 +207,7 @@ package starlogo.search.table
         /** Whether the last search has seen the agent of a row, as the row has it. Pass the answer of <code>ListedAgents.rowOf()</code>. */
         public function isSeen(row:int):Boolean
         {
-            return row >= 0 && shapes[row] != null && revisions[row] != UNSEEN && !_isRestored;
+            return row >= 0 && shapes[row] != null && revisions[row] != UNSEEN && !_arePlacesRestored;
         }
 
         /** Gives the body of a row that is seen the extents of its model's present pose. */
@@ -245,7 +245,7 @@ package starlogo.search.table
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
             var end:int = agents.length;
-            var isRestored:Boolean = _isRestored;
+            var readsAll:Boolean = _arePlacesRestored;
             var isSweeping:Boolean = false;
             changed.count = _reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
@@ -260,7 +260,7 @@ package starlogo.search.table
                 isSweeping = isSweeping || agent.isSweeping;
                 // isBodyCurrent(), written out for the loop
                 var isShapeStale:Boolean = shapesSeen[row] == null || shapesSeen[row].isStale;
-                if (isShapeStale || isRestored || agent.revision != seen[row])
+                if (isShapeStale || readsAll || agent.revision != seen[row])
                 {
                     if (isShapeStale || agent.bodyRevision != bodiesSeen[row])
                     {

@@ -136,8 +136,10 @@ package starlogo.search.pairs
         {
             readCenters(a, b, RelativeMotion.NONE);
             // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth leaves the gap in place
-            _centers.radiusA = Sphere(a.worldStructure()).radius;
-            _centers.radiusB = Sphere(b.worldStructure()).radius;
+            var sphereA:Sphere = a.worldStructure() as Sphere;
+            var sphereB:Sphere = b.worldStructure() as Sphere;
+            _centers.radiusA = sphereA.radius;
+            _centers.radiusB = sphereB.radius;
             out.setFromGap(_centers);
             out.correct(areTouching);
         }

@@ -257,11 +257,11 @@ test('all of a choice can be left to Node: classes and tests by their names, a p
 		const read = (name) => readFileSync(path.join(out, name), 'utf8');
 		return status === 0 ? { ...JSON.parse(read('choice.json')), ...Object.fromEntries(read('tests.properties').trim().split('\n').map((line) => line.split('='))) } : null;
 	};
-	const { order, farther, of, pages, none, node } = list('src/starlogo/search/ChangedRows.as');
-	assert.ok(order.includes('ChangedRowsTest') && farther.some((name) => name.startsWith('SoakTest.')));
+	const { order, farther, of, pages, none, node } = list('src/starlogo/search/ChangedRowSearch.as');
+	assert.ok(order.includes('ChangedRowSearchTest') && farther.some((name) => name.startsWith('SoakTest.')));
 	assert.ok(farther.indexOf('test/fuzz/kept.test.mjs') < farther.indexOf('SoakTest.whatAGameSeesIsTheSameEverywhere'));
-	assert.deepEqual([of, pages, none, node], [['starlogo.search.ChangedRows'], undefined, 'true', 'true']);
-	assert.deepEqual(list('src/starlogo/search/ChangedRows.as', '--full').farther, []);
+	assert.deepEqual([of, pages, none, node], [['starlogo.search.ChangedRowSearch'], undefined, 'true', 'true']);
+	assert.deepEqual(list('src/starlogo/search/ChangedRowSearch.as', '--full').farther, []);
 	assert.deepEqual(list('BoxTest.rotatesAboutTheOrigin').order, ['BoxTest.rotatesAboutTheOrigin']);
 	const page = list('terrain.md');
 	assert.deepEqual([page.node, page.pages], [undefined, 'docs/terrain.md']);

@@ -41,7 +41,7 @@ const COLD = {
 /** How many there may be in a function: none of them is of a Number. */
 export const ALLOWED = {
 	'starlogo.agents.Agent.collideAs': { count: 2, why: 'the text of an error' },
-	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
+	'starlogo.collision.FrameRunner.run': { count: 1, why: 'what a finally throws again' },
 	'starlogo.handlers.requireParameters': { count: 2, why: 'the text of an error' },
 	'starlogo.handlers.warnOfMissingBreeds': { count: 1, why: 'runs when handlers change, or a block first names a breed or sets a trait of one' },
 	'starlogo.queries.Footing.toString': { count: 4, why: 'the text of a trace' },

@@ -68,8 +68,7 @@ package starlogo.agents
 
         /**
          * @private Counts changes of all that a search reads: what <code>bodyRevision</code> counts, the place, the breed, and whether the
-         * agent sweeps; and for the agents of the ground and the edges, changes of these. A restored snapshot that puts the last place elsewhere
-         * does not raise it: the table marks the row NOT_READ.
+         * agent sweeps; and for the agents of the ground and the edges, changes of these.
          */
         engine var revision:int = 0;
 
@@ -79,8 +78,8 @@ package starlogo.agents
          */
         engine var bodyRevision:int = 0;
 
-        /** @private The revision that the last jump made. The agent has no motion up to this revision. */
-        engine var jumpRevision:int = -1;
+        /** @private The revision that the last jump made, or 0. No motion of the agent begins before it. */
+        engine var jumpRevision:int = 0;
 
         /** @private The value of <code>id</code>, without a call. */
         engine var idNumber:int;

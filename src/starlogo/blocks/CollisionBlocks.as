@@ -207,7 +207,7 @@ package starlogo.blocks
             {
                 _search = new CollisionSearch(collider.narrowPhase);
             }
-            return _search.areColliding(agent, other) ? collider.contactIn(_search, agent, other, new Contact()) : null;
+            return _search.contacts.areColliding(agent, other) ? collider.contactIn(_search, agent, other, new Contact()) : null;
         }
 
         /** @private Moves an agent by the shortest way out of what it touches. @param contact how it touches that where it is now; null if it does not */

@@ -36,29 +36,15 @@ package starlogo.collision
      */
     public class Collider extends BaseCollider
     {
-        // What a Collision does with a collider. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers
-        // run, contacts stay those of the frame.
-
-        /** @private It does not use the collider. */
-        engine static const UNUSED:int = 0;
-
-        /** @private It uses the collider, but neither searches nor runs handlers now: between frames, and while the filter runs. */
-        engine static const IDLE:int = 1;
-
-        /** @private It searches for the pairs of a frame. */
-        engine static const SEARCHING:int = 2;
-
-        /** @private The handlers of a frame run. */
-        engine static const HANDLING:int = 3;
-
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
         /** @private The search whose contacts contactOf gives. */
         engine var contactSearch:CollisionSearch;
 
-        // The last Collision to which the collider was attached, or null. It owns the collider while it uses it, and keeps its motions and contacts there.
-        private var _owner:Collision = null;
+        // The frames of the last Collision to which the collider was attached, or null. They own the collider while they use it, and keep their motions and
+        // contacts there.
+        private var _owner:FrameRunner = null;
 
         // The search for the game's own calls of findCollisions while a Collision owns the collider, or null.
         private var _extraSearch:CollisionSearch = null;
@@ -118,7 +104,7 @@ package starlogo.collision
         override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return search.areColliding(a, b);
+            return search.contacts.areColliding(a, b);
         }
 
         /** @inheritDoc */
@@ -133,7 +119,7 @@ package starlogo.collision
             requireGiven("agents", agents);
             var inSearch:CollisionSearch = search;
             var state:int = stateOfOwner;
-            if (state != UNUSED && state != SEARCHING)
+            if (state != FrameRunner.UNUSED && state != FrameRunner.SEARCHING)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
                 // searches it is no call of the game's: a BaseCollider around this collider makes it
@@ -142,9 +128,9 @@ package starlogo.collision
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.begin(agents, interests || BreedInterests.ALL, null, null, null);
-            if (state == SEARCHING)
+            if (state == FrameRunner.SEARCHING)
             {
-                _input.takeFilterOf(_owner.frameInput);
+                _input.takeFilterOf(_owner.input);
             }
             var pairs:FoundPairs = find(inSearch, _input);
             if (found.length > 2 * pairs.count)
@@ -180,11 +166,11 @@ package starlogo.collision
         /** @private As contactOf, in one of the collider's searches. */
         engine function contactIn(inSearch:CollisionSearch, collider:Agent, collidee:Agent, contact:Contact):Contact
         {
-            if (stateOfOwner != HANDLING)
+            if (stateOfOwner != FrameRunner.HANDLING)
             {
-                inSearch.table.refreshEnvironment();
+                inSearch.table.environment.refresh();
             }
-            inSearch.findContact(collider, collidee, _motion, _point);
+            inSearch.contacts.findContact(collider, collidee, _motion, _point);
             contact.setFromPoint(_point);
             contact.time = _motion.time;
             contact.approachSpeed = Math.max(0, -(_motion.x * _point.normalX + _motion.y * _point.normalY + _motion.z * _point.normalZ));
@@ -192,13 +178,13 @@ package starlogo.collision
         }
 
         /**
-         * @private Lets a Collision own the collider, as long as it uses it. If it did not use it before, no agent has a motion then.
+         * @private Lets the frames of a Collision own the collider, as long as they use it. If they did not use it before, no agent has a motion then.
          *
          * @throws ArgumentError if another owns it
          */
-        engine function attachTo(owner:Collision):void
+        engine function attachTo(owner:FrameRunner):void
         {
-            if (stateOfOwner == UNUSED)
+            if (stateOfOwner == FrameRunner.UNUSED)
             {
                 forgetMotions();
             }
@@ -227,14 +213,14 @@ package starlogo.collision
         // What the last owner does with the collider. It is the owner unless that is UNUSED.
         private function get stateOfOwner():int
         {
-            return _owner == null ? UNUSED : _owner.stateWith(this);
+            return _owner == null ? FrameRunner.UNUSED : _owner.stateWith(this);
         }
 
         private function find(inSearch:CollisionSearch, input:SearchInput):FoundPairs
         {
             var start:Number = getTimer();
             var pairs:FoundPairs = inSearch.find(input);
-            if (stateOfOwner != HANDLING)
+            if (stateOfOwner != FrameRunner.HANDLING)
             {
                 contactSearch = inSearch;
             }

@@ -1,31 +1,25 @@
-// This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Its runFrame() shows the steps of a frame:
+// This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Its FrameRunner shows the steps of a frame:
 // 1. HandlerTable (in the room handlers) takes the handlers as they are now. SearchInput asks the game's filter who takes part.
 // 2. Collider, the base of the collision systems, searches for the pairs: CollisionSearch, in the room search. In its place BaseCollider asks a
 // system of the game's own, and PairReader reads what that has found.
 // 3. HandlerDispatcher lets FrameContacts compute the contacts that handlers take. It calls handlers for ended touches (TouchTracker), then for pairs.
-// Snapshots (snapshots/) goes back to earlier frames. Read this file first, then Collider, HandlerDispatcher, and CollisionSearch.
+// Snapshots (snapshots/) goes back to earlier frames. Read this file first, then FrameRunner, Collider, HandlerDispatcher, and CollisionSearch.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
-    import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
     import starlogo.agents.Breeds;
-    import starlogo.agents.copyAgents;
     import starlogo.collision.snapshots.Snapshots;
     import starlogo.data.requireGiven;
     import starlogo.data.textOf;
     import starlogo.engine;
-    import starlogo.ground.HeightGrid;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
     import starlogo.search.BreedInterests;
-    import starlogo.search.FoundPairs;
-    import starlogo.search.SearchInput;
-    import starlogo.search.NarrowPhase;
-    import starlogo.search.PairReader;
     import starlogo.search.EnvironmentAgent;
+    import starlogo.search.NarrowPhase;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -87,29 +81,12 @@ package starlogo.collision
          */
         public var filter:AgentPredicate = null;
 
-        /** @private What the frame searches among. Read only. */
-        engine var frameInput:SearchInput = new SearchInput();
-
         // The collision system as the game has given it.
         private var _givenSystem:CollisionSystem;
 
-        // The same as a BaseCollider.
-        private var _system:BaseCollider;
-
-        // The one of the frame under way, or null; and what the frame does with it: Collider.IDLE, SEARCHING or HANDLING.
-        private var _frameSystem:BaseCollider = null;
-        private var _frameState:int = Collider.IDLE;
-
-        // The heights that handlers see, even if they change the ground; null if none run, or without ground. The edges never change.
-        private var _heldGround:HeightGrid = null;
-
-        private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
-        private var _dispatcher:HandlerDispatcher = new HandlerDispatcher(_handlers);
-        private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _pairReader:PairReader = new PairReader();
+        private var _frames:FrameRunner = new FrameRunner(_handlers);
         private var _snapshots:Snapshots = new Snapshots();
-        private var _lastFrame:LastFrame = new LastFrame();
 
         /**
          * Creates a Collision without handlers.
@@ -140,26 +117,16 @@ package starlogo.collision
             var next:BaseCollider = BaseCollider.wrap(value);
             if (next.innerCollider != null)
             {
-                next.innerCollider.attachTo(this);
+                next.innerCollider.attachTo(_frames);
             }
             _givenSystem = value;
-            _system = next;
-        }
-
-        /** @private What it does with a collider: Collider.UNUSED, IDLE, SEARCHING or HANDLING. */
-        engine function stateWith(collider:Collider):int
-        {
-            if (collider === systemOfFrame.innerCollider)
-            {
-                return _frameState;
-            }
-            return collider === _system.innerCollider ? Collider.IDLE : Collider.UNUSED;
+            _frames.nextSystem = next;
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
         public function get statistics():CollisionStatistics
         {
-            return _statistics;
+            return _frames.statistics;
         }
 
         /**
@@ -168,7 +135,7 @@ package starlogo.collision
          */
         public function get lastAgents():Vector.<Agent>
         {
-            return _lastFrame.agents;
+            return _frames.lastFrame.agents;
         }
 
         /**
@@ -178,7 +145,7 @@ package starlogo.collision
          */
         public function get handlerErrors():Vector.<Error>
         {
-            return _handlerErrors;
+            return _frames.handlerErrors;
         }
 
         /**
@@ -188,13 +155,13 @@ package starlogo.collision
          */
         public function get breedsWithoutAgents():Vector.<String>
         {
-            return _handlers.breedsWithout(_lastFrame.agents.concat(new <Agent>[ground, edges]));
+            return _handlers.breedsWithout(lastAgents.concat(new <Agent>[ground, edges]));
         }
 
         /** The counts of its last frame, as text. */
         public function toString():String
         {
-            return "Collision: " + _statistics;
+            return "Collision: " + statistics;
         }
 
         /**
@@ -275,9 +242,7 @@ package starlogo.collision
         public function reset():void
         {
             _handlers.clear();
-            _lastFrame = new LastFrame();
-            _system.forgetMotions();
-            systemOfFrame.forgetMotions();
+            _frames.reset();
         }
 
         /**
@@ -292,32 +257,9 @@ package starlogo.collision
          */
         public function update(agents:Vector.<Agent>):void
         {
-            requireNoFrame("update");
+            _frames.requireNoFrame("update");
             requireGiven("agents", agents);
-            var start:Number = getTimer();
-            _handlerErrors.length = 0;
-            var system:BaseCollider = _frameSystem = _system;
-            try
-            {
-                runFrame(agents, system);
-            }
-            finally
-            {
-                _dispatcher.endFrame();
-                _frameState = Collider.IDLE;
-                _frameSystem = null;
-                if (_heldGround != null)
-                {
-                    _heldGround.release();
-                    _heldGround = null;
-                }
-            }
-            _statistics.frameMs = getTimer() - start;
-            system.onFrame(_statistics);
-            if (_handlerErrors.length > 0)
-            {
-                throw _handlerErrors[0];
-            }
+            _frames.run(agents, ground, edges, filter);
         }
 
         /**
@@ -337,7 +279,7 @@ package starlogo.collision
          */
         public function snapshot(withTraits:Boolean = false, withGround:Boolean = true):ByteArray
         {
-            return _snapshots.write(_lastFrame, engineCollider("snapshot").search, ground, edges, withTraits, withGround);
+            return _snapshots.write(_frames.lastFrame, engineCollider("snapshot").search, ground, edges, withTraits, withGround);
         }
 
         /**
@@ -357,20 +299,20 @@ package starlogo.collision
             var collider:Collider = engineCollider("restore");
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
-            _snapshots.read(bytes, agents, collider.search, ground, edges, _lastFrame);
+            _snapshots.read(bytes, agents, collider.search, ground, edges, _frames.lastFrame);
             collider.contactSearch = collider.search;
         }
 
         /** @private The system of the frame under way, which a handler may have exchanged for the next one; or else the collision system. */
         engine function get systemOfFrame():BaseCollider
         {
-            return _frameSystem || _system;
+            return _frames.system;
         }
 
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
-            return _system.findNarrowPhase();
+            return _frames.nextSystem.findNarrowPhase();
         }
 
         /** @private */
@@ -379,41 +321,11 @@ package starlogo.collision
             return this;
         }
 
-        // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
-        private function runFrame(agents:Vector.<Agent>, system:BaseCollider):void
-        {
-            _handlers.begin(agents);
-            frameInput.begin(agents, _handlers.interests, ground, edges, filter);
-            // after the filter, which may have called reset(). A handler may call it too, and then the frame goes on with the one before
-            var lastFrame:LastFrame = _lastFrame;
-            lastFrame.search = null;
-            _frameState = Collider.SEARCHING;
-            var pairs:FoundPairs = system.findPairs(frameInput, _pairReader, _statistics);
-            _frameState = Collider.HANDLING;
-            lastFrame.agents = copyAgents(frameInput.agents, lastFrame.agents);
-            if (frameInput.ground != null)
-            {
-                _heldGround = frameInput.ground.surface.grid;
-                _heldGround.hold();
-            }
-            _statistics.handlerCalls = _dispatcher.callHandlers(pairs, system, lastFrame.tracker, agents, _handlerErrors);
-            var searched:Collider = system.samePairsCollider;
-            lastFrame.search = searched == null ? null : searched.search;
-        }
-
-        private function requireNoFrame(what:String):void
-        {
-            if (_frameSystem != null)
-            {
-                throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
-            }
-        }
-
         // The engine's collider for a snapshot.
         private function engineCollider(what:String):Collider
         {
-            requireNoFrame(what);
-            var collider:Collider = _system.samePairsCollider;
+            _frames.requireNoFrame(what);
+            var collider:Collider = _frames.nextSystem.samePairsCollider;
             if (collider == null)
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_givenSystem, "a Collider"));

@@ -1,6 +1,5 @@
-// The room data has what all other rooms share and what knows no geometry: this table; IntList, SortableIntList and IntSet, whose memory is used again;
-// Fingerprint, which tells data apart; and functions that check lists and arguments, and write errors and warnings.
-
+// The room data has what all other rooms share and what knows no geometry: this table; IntList, SortableIntList, IntSet and ListedIntSet, whose memory
+// is used again; Fingerprint, which tells data apart; and functions that check lists and arguments, and write errors and warnings.
 package starlogo.data
 {
     /**

@@ -5,7 +5,7 @@ package starlogo.data
      *
      * @private
      */
-    public final class IntSet
+    public class IntSet
     {
         /** By number: the mark of the last set that had it. A loop may compare it with <code>mark</code> in place of <code>has()</code>. Read only. */
         public var marks:Vector.<int> = new Vector.<int>();
@@ -40,12 +40,6 @@ package starlogo.data
             var isNew:Boolean = marks[number] != mark;
             marks[number] = mark;
             return isNew;
-        }
-
-        /** Adds or removes a number. */
-        public function put(number:int, isIn:Boolean):void
-        {
-            marks[number] = isIn ? mark : 0;
         }
 
         /** Whether a number is in the set. */

@@ -138,7 +138,7 @@ package starlogo.queries
             // another table has the same rows
             var next:AgentTable = isOtherNarrowPhase ? new AgentTable(newNarrowPhase.shapeChoice, table.listed) : table;
             next.read(agents);
-            next.readEnvironment(terrain == null ? null : terrain.environmentAgent, null);
+            next.environment.read(terrain == null ? null : terrain.environmentAgent, null);
             table = next;
             heights.read(table);
             narrowPhase = newNarrowPhase;
@@ -267,7 +267,7 @@ package starlogo.queries
          */
         engine function treeOfExtents():RowTree
         {
-            table.refreshEnvironment();
+            table.environment.refresh();
             return prepare(_extentTree, table.extents, table.extents);
         }
 

@@ -95,7 +95,7 @@ package starlogo.queries
         {
             Collider.requireTwo(a, b);
             // a handler may have changed the ground
-            _seen.table.refreshEnvironment();
+            _seen.table.environment.refresh();
             if (a.isEnvironment && b.isEnvironment)
             {
                 throw new ArgumentError("the ground and the edges of the world have no distance from each other");

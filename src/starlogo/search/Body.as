@@ -32,8 +32,7 @@ package starlogo.search
         public var placement:Placement = new Placement();
 
         /**
-         * Says which of two bodies comes first (ListedAgents.orderKeyOf); 0 without an agent. That of the ground or the edges may be of an earlier
-         * list: no test reads it.
+         * Says which of two bodies comes first (ListedAgents.orderKeyOf); 0 without an agent. No test reads that of the ground or the edges.
          */
         public var orderKey:int = 0;
 

@@ -4,12 +4,9 @@ package starlogo.search
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.PairSink;
     import starlogo.broadphase.Extents;
-    import starlogo.broadphase.Points;
-    import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
 
@@ -81,46 +78,6 @@ package starlogo.search
             addTouching(environmentRow, members.values, count, BinLevel.ANY_GAP);
         }
 
-        /**
-         * Finds the contact of two rows if one of them sweeps and they touch on their motions. The contact separates them.
-         *
-         * @param b may be the ground or the edges of the world
-         * @param motion receives the motion of the first relative to the second, with the time
-         * @param out receives the contact at that time
-         * @return whether one sweeps and they touch
-         */
-        public function findContactOnMotions(a:int, b:int, motion:RelativeMotion, out:ContactPoint):Boolean
-        {
-            if (!_motions.anySweeps || !_motions.eitherSweeps(a, b))
-            {
-                return false;
-            }
-            var bodyA:Body = _table.bodyOf(a);
-            var bodyB:Body = _table.bodyOf(b);
-            var tests:PairTests = _narrowPhase.pairTestsFor(bodyA, bodyB);
-            _motions.setRelativeMotion(a, b, motion);
-            if (!motion.isStill)
-            {
-                tests.findFirstTouch(bodyA, bodyB, motion, out);
-            }
-            else if (tests.areTouching(bodyA, bodyB))
-            {
-                motion.time = timeOfCommonMotion(a);
-                tests.findContactOfParts(bodyA, bodyB, motion, out);
-            }
-            if (motion.time == RelativeMotion.NEVER)
-            {
-                return false;
-            }
-            tests.separate(bodyA, bodyB, motion, out);
-            // the motion was relative to b at its present place, so the point is moved back to where b was at that time
-            var back:Number = motion.time - 1;
-            out.x += back * _motions.displacements.x[b];
-            out.y += back * _motions.displacements.y[b];
-            out.z += back * _motions.displacements.z[b];
-            return true;
-        }
-
         // Adds the pairs of a row with those candidates that touch it.
         private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
@@ -170,7 +127,7 @@ package starlogo.search
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    _out.times[int(_out.count + kept)] = _motion.time;
+                    _out.setTime(kept, _motion);
                     kept++;
                 }
             }
@@ -188,7 +145,7 @@ package starlogo.search
             }
             else if (motion.isStill)
             {
-                motion.time = areTouching(a, b) ? timeOfCommonMotion(a) : RelativeMotion.NEVER;
+                motion.time = areTouching(a, b) ? _motions.timeOfCommonMotion(a) : RelativeMotion.NEVER;
             }
             else if (_table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE)
             {
@@ -202,14 +159,6 @@ package starlogo.search
                 _narrowPhase.counts.sweptPairs++;
                 _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
             }
-        }
-
-        // The time at which two rows that touch first do, if the first does not move relative to the second: from the beginning on if they move alike,
-        // and where they are if they have not moved.
-        private function timeOfCommonMotion(a:int):int
-        {
-            var displacements:Points = _motions.displacements;
-            return displacements.x[a] != 0 || displacements.y[a] != 0 || displacements.z[a] != 0 ? 0 : 1;
         }
 
         // Whether two rows touch where they are. Only the second may be the ground or the edges.

@@ -1,19 +1,17 @@
 // This room finds the pairs of agents that touch, and how they touch. CollisionSearch shows the steps of a search:
 // 1. AgentTable (table/) reads the agents into rows. If an agent sweeps, RowMotions reads their motions.
-// 2. The Bins of the room broadphase find rows that are near each other. If few rows have changed since the last search, ChangedRows finds these rows
-// and what is near them.
+// 2. The Bins of the room broadphase find rows that are near each other. If few rows have changed since the last search, ChangedRowSearch finds these rows
+// and the pairs of these.
 // 3. CandidateTests keeps the pairs that touch, where they are or on their motions. The NarrowPhase has a PairTests for each kind of pairs (pairs/).
 // 4. The FoundPairs are put into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
-// Read this file first, then AgentTable, CandidateTests and NarrowPhase. Contacts get their depths from PenetrationSearch (penetration/).
+// Read this file first, then AgentTable, CandidateTests and NarrowPhase. AgentContacts tells how two agents touch. Contacts get their depths from
+// PenetrationSearch (penetration/).
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
-    import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
-    import starlogo.convex.ContactPoint;
-    import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
@@ -26,9 +24,6 @@ package starlogo.search
      * rows that are near each other (thesis §3.7). Of these it keeps those that touch and whose breeds are of interest, and puts them into order. If
      * few agents have changed, it takes the pairs of the others from the last search.
      *
-     * <p>It also tells whether and how two agents touch. <code>areColliding()</code> takes the two as they are now, <code>findContact()</code> as the
-     * last search saw them, if it saw both. Both change no place and no motion of the search.</p>
-     *
      * @private
      */
     public final class CollisionSearch
@@ -39,10 +34,13 @@ package starlogo.search
         /** Tests their bodies. It may have other searches too. */
         public var narrowPhase:NarrowPhase;
 
+        /** Whether and how two agents touch. It changes no place and no motion of the search. */
+        public var contacts:AgentContacts;
+
         private var _bins:Bins = new Bins();
         private var _candidateTests:CandidateTests;
         private var _motions:RowMotions;
-        private var _changedRows:ChangedRows;
+        private var _changedRowSearch:ChangedRowSearch;
 
         // The pairs of the search.
         private var _pairs:FoundPairs;
@@ -57,18 +55,15 @@ package starlogo.search
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
 
-        // The bodies of agents that have changed since the search.
-        private var _bodyA:Body = new Body();
-        private var _bodyB:Body = new Body();
-
         /** @param narrowPhase chooses the shapes of the agents, and tests their bodies */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
             table = new AgentTable(narrowPhase.shapeChoice);
             _motions = new RowMotions(table);
+            contacts = new AgentContacts(table, narrowPhase, _motions);
             _candidateTests = new CandidateTests(table, narrowPhase, _motions);
-            _changedRows = new ChangedRows(table, _motions, _bins, _candidateTests);
+            _changedRowSearch = new ChangedRowSearch(table, _motions, _bins, _candidateTests);
             _pairs = new FoundPairs(table.listed);
             _pairsOfChanged = new FoundPairs(table.listed);
         }
@@ -94,7 +89,7 @@ package starlogo.search
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            if (canUpdate && _changedRows.tryFind(input))
+            if (canUpdate && _changedRowSearch.tryFind(input))
             {
                 findOfChanged(input);
             }
@@ -109,60 +104,7 @@ package starlogo.search
         /** The number of members of the last search: the agents that took part. */
         public function get memberCount():int
         {
-            return _changedRows.memberCount;
-        }
-
-        /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
-        public function areColliding(a:Agent, b:Agent):Boolean
-        {
-            var bodyA:Body = table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = table.currentBodyOf(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
-        }
-
-        /**
-         * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
-         * not see both. The ground and the edges of the world count as the table has read them.
-         *
-         * @param motion receives the motion of the first relative to the second, with the time of the touch: 1 if neither sweeps
-         * @param out receives the contact. Its normal points from the second agent to the first
-         * @throws ArgumentError if a model is unknown or still loading, or if both stand for the ground or the edges of the world
-         */
-        public function findContact(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
-        {
-            if (a.isEnvironment && b.isEnvironment)
-            {
-                throw new ArgumentError("the ground and the edges of the world have no contact with each other");
-            }
-            var rowA:int = table.listed.rowOf(a);
-            var rowB:int = table.listed.rowOf(b);
-            if (table.listed.orderKeyOf(a, rowA) > table.listed.orderKeyOf(b, rowB))
-            {
-                // they get the order that the pairs of a search have, so rounding is the same however a game asks
-                findContact(b, a, motion, out);
-                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
-                motion.endAfter(-motion.x, -motion.y, -motion.z);
-                return;
-            }
-            // from here on the first is an agent of the game
-            var areSeen:Boolean = table.isSeen(rowA) && table.isSeen(rowB);
-            if (areSeen)
-            {
-                table.followPose(rowA);
-                table.followPose(rowB);
-                if (_candidateTests.findContactOnMotions(rowA, rowB, motion, out))
-                {
-                    return;
-                }
-            }
-            var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = areSeen || b.isEnvironment && table.isSeen(rowB) ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
-            if (bodyA.shape == null || bodyB.shape == null)
-            {
-                var loading:Agent = bodyA.shape == null ? a : b;
-                throw new ArgumentError(loading + ": its model is still loading");
-            }
-            narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+            return _changedRowSearch.memberCount;
         }
 
         /** Lets the next search be one of all rows. Call it if the table was read without a search. */
@@ -174,10 +116,10 @@ package starlogo.search
         // Reads the input into the table. The motions are read before the places, because they begin at those of the last search.
         private function readInput(input:SearchInput):void
         {
-            table.setList(input.agents);
+            table.readBodies(input.agents);
             _motions.read();
             table.readPlaces();
-            table.readEnvironment(input.ground, input.edges);
+            table.environment.read(input.ground, input.edges);
         }
 
         // Whether there are pairs to update: those of the last search, if it depended on the same as this one, besides agents, ground and edges.
@@ -202,7 +144,7 @@ package starlogo.search
             _motions.findExtents(table.listed.rows);
             _candidateTests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
-            _changedRows.begin(members);
+            _changedRowSearch.begin(members);
             // these overwrite the list of members
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, table.listed.rows, input);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, table.listed.rows, input);
@@ -214,11 +156,11 @@ package starlogo.search
         private function findOfChanged(input:SearchInput):void
         {
             _candidateTests.begin(input, _pairsOfChanged);
-            _changedRows.findPairs(input);
-            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW), input);
-            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
+            _changedRowSearch.findPairs(input);
+            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRowSearch.rowsToTestWith(ListedAgents.GROUND_ROW), input);
+            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRowSearch.rowsToTestWith(ListedAgents.EDGES_ROW), input);
             var earlyCount:int = _pairsOfChanged.putInOrder(_motions.anySweeps);
-            _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
+            _pairs.replacePairsOf(_changedRowSearch.changedRows, _pairsOfChanged, earlyCount);
         }
     }
 }

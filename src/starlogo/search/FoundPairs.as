@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.convex.RelativeMotion;
     import starlogo.data.IntSet;
     import starlogo.data.SortableIntList;
     import starlogo.data.makeRoom;
@@ -36,8 +37,8 @@ package starlogo.search
         /** By pair: the index of its touch, which the TouchTracker writes, or NO_TOUCH. Pairs that are kept for the next search keep it. */
         public var touchIndices:Vector.<int> = new Vector.<int>();
 
-        /** By pair: the time of the touch, until <code>putInOrder()</code>. CandidateTests writes it if an agent sweeps. */
-        internal var times:Vector.<Number> = new Vector.<Number>();
+        // By pair: the time of the touch, until putInOrder(), if an agent sweeps.
+        private var _times:Vector.<Number> = new Vector.<Number>();
 
         // The back buffers of rows and touchIndices: other pairs, or the pairs in another order, are written here before swapBuffers().
         private var _backRows:Vector.<int> = new Vector.<int>();
@@ -130,7 +131,7 @@ package starlogo.search
             var earlyCount:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var time:Number = times[_inOrder.values[i]];
+                var time:Number = _times[_inOrder.values[i]];
                 _inOrder.keys[i] = time;
                 if (time < 1)
                 {
@@ -231,6 +232,12 @@ package starlogo.search
             rows[2 * count] = a;
             rows[2 * count + 1] = b;
             count++;
+        }
+
+        /** Sets the time of a pair that <code>addPairs()</code> will add next. @param index among these pairs @param motion has the time */
+        internal function setTime(index:int, motion:RelativeMotion):void
+        {
+            _times[int(count + index)] = motion.time;
         }
 
         /**

@@ -155,6 +155,15 @@ package starlogo.search
             motion.time = RelativeMotion.NEVER;
         }
 
+        /**
+         * The time at which two rows that touch first do, if the first does not move relative to the second: from the beginning on if they move alike,
+         * and where they are if they have not moved.
+         */
+        public function timeOfCommonMotion(a:int):int
+        {
+            return displacements.x[a] != 0 || displacements.y[a] != 0 || displacements.z[a] != 0 ? 0 : 1;
+        }
+
         /** Whether one of two rows sweeps on its motion. */
         public function eitherSweeps(a:int, b:int):Boolean
         {

@@ -7,6 +7,7 @@ package starlogo.search
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -114,10 +115,13 @@ package starlogo.search
             return _members;
         }
 
-        /** Whether a row of a table is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
+        /**
+         * Whether a row of a table is a member of the search: it has a shape, its breed is of interest, and its agent takes part. Those of the ground and
+         * the edges of the world are none.
+         */
         public function isMember(row:int, table:AgentTable):Boolean
         {
-            return table.shapes[row] != null && interests.matchingBreedOf(table.breeds[row]) >= 0
+            return row >= ListedAgents.FIRST_LISTED && table.shapes[row] != null && interests.matchingBreedOf(table.breeds[row]) >= 0
                 && (admitted == null || admitted[table.listed.listIndices[row]]);
         }
 

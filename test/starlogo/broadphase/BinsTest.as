@@ -7,7 +7,7 @@ package starlogo.broadphase
     import starlogo.data.IntSet;
 
     /**
-     * The bins alone, with extents that come from no agent. ChangedRowsTest and test/fuzz/kept.test.mjs compare whole frames in which few agents have
+     * The bins alone, with extents that come from no agent. ChangedRowSearchTest and test/fuzz/kept.test.mjs compare whole frames in which few agents have
      * changed with those of a search of all rows.
      */
     public class BinsTest
@@ -253,13 +253,16 @@ package starlogo.broadphase
         // What is near a row, without rows that are less than another one. A row is near itself.
         private function searchNear(row:int, end:int):void
         {
-            var all:IntSet = new IntSet();
-            all.clear(_rows.length);
+            var leftOut:IntSet = new IntSet();
+            leftOut.clear(_rows.length);
             for each (var other:int in _rows)
             {
-                all.put(other, other < end);
+                if (other < end)
+                {
+                    leftOut.add(other);
+                }
             }
-            _bins.findNear(row, _extents, all, _sink);
+            _bins.findNear(row, _extents, leftOut, _sink);
         }
 
         // How many overlap, as all pairs and as what is near each row. A pair a hair's breadth apart may be found or not.

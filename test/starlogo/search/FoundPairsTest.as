@@ -3,6 +3,7 @@ package starlogo.search
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import starlogo.agents.Agent;
+    import starlogo.convex.RelativeMotion;
     import starlogo.search.table.ListedAgents;
 
     /** The order of pairs, compared with a sort by comparisons. */
@@ -42,6 +43,7 @@ package starlogo.search
             _pairs.count = 0;
             var expected:Array = [];
             var timeOf:Object = {};
+            var motion:RelativeMotion = new RelativeMotion();
             while (expected.length < pairCount)
             {
                 var first:int = _random.integer(0, list.rows.count - 2);
@@ -53,7 +55,8 @@ package starlogo.search
                     timeOf[first + " " + second] = time;
                     // after the agents comes the ground
                     var other:int = second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.values[second];
-                    _pairs.times[_pairs.count] = time;
+                    motion.time = time;
+                    _pairs.setTime(0, motion);
                     _pairs.addPairs(list.rows.values[first], new <int>[other], 1);
                 }
             }

@@ -61,12 +61,12 @@ package starlogo.search
                 if (random.chance(0.4))
                 {
                     var wrong:Agent = random.chance() ? null : new Agent("unknown");
-                    assertThrows(ArgumentError, /null|there is no model/, _table.setList, listed.concat(new <Agent>[wrong]));
+                    assertThrows(ArgumentError, /null|there is no model/, _table.readBodies, listed.concat(new <Agent>[wrong]));
                     assertLastPlaces(lastList, seen);
                     refused++;
                     continue;
                 }
-                _table.setList(listed);
+                _table.readBodies(listed);
                 _motions.read();
                 _table.readPlaces();
                 for each (agent in listed)

@@ -33,9 +33,6 @@ package starlogo.search.pairs
 
         private var _counts:SearchCounts;
 
-        // The motion of the second body while the first one stands still, for contacts.
-        private static const REVERSED:RelativeMotion = new RelativeMotion();
-
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch, with all that
         // Touching names. So the time of impact includes that too.
         private var _gap:CoreGap = new CoreGap();
@@ -121,21 +118,12 @@ package starlogo.search.pairs
             sweep(_gap, motion);
         }
 
-        /** @inheritDoc */
+        /**
+         * It needs no structures in the world, which would take memory for each row, and are wider than the bodies.
+         *
+         * @inheritDoc
+         */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            if (isAfter(a, b))
-            {
-                REVERSED.setReversed(motion);
-                findContactInOrder(b, a, REVERSED, out);
-                out.swap(motion);
-                return;
-            }
-            findContactInOrder(a, b, motion, out);
-        }
-
-        // A structure in the world would take memory for each row, and it is wider than its body.
-        private function findContactInOrder(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             readCenters(a, b, motion);
             _centers.radiusA = a.halfX;
@@ -146,40 +134,25 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            var areSwapped:Boolean = isAfter(a, b);
-            var first:Body = areSwapped ? b : a;
-            var second:Body = areSwapped ? a : b;
-            readCenters(first, second, RelativeMotion.NONE);
+            readCenters(a, b, RelativeMotion.NONE);
             // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth leaves the gap in place
-            var sphereA:Sphere = first.worldStructure() as Sphere;
-            var sphereB:Sphere = second.worldStructure() as Sphere;
+            var sphereA:Sphere = a.worldStructure() as Sphere;
+            var sphereB:Sphere = b.worldStructure() as Sphere;
             _centers.radiusA = sphereA.radius;
             _centers.radiusB = sphereB.radius;
             out.setFromGap(_centers);
-            if (areSwapped)
-            {
-                out.swap();
-            }
             out.correct(areTouching);
-        }
-
-        // The order of two spheres by their middles and radii. The first comes first in a CoreGap, so that rounding does not depend on which one is a.
-        private static function isAfter(a:Body, b:Body):Boolean
-        {
-            var order:Number = a.middleX - b.middleX || a.middleY - b.middleY || a.middleZ - b.middleZ || a.halfX - b.halfX;
-            return order > 0;
         }
 
         // Sets the gap of the centres at the time of the motion. The radii stay.
         private function readCenters(a:Body, b:Body, motion:RelativeMotion):void
         {
-            var gap:CoreGap = _centers;
-            gap.point.x = a.middleX;
-            gap.point.y = a.middleY;
-            gap.point.z = a.middleZ;
-            gap.x = a.middleX - b.middleX + motion.startX + motion.time * motion.x;
-            gap.y = a.middleY - b.middleY + motion.startY + motion.time * motion.y;
-            gap.z = a.middleZ - b.middleZ + motion.startZ + motion.time * motion.z;
+            _centers.point.x = a.middleX;
+            _centers.point.y = a.middleY;
+            _centers.point.z = a.middleZ;
+            _centers.x = a.middleX - b.middleX + motion.startX + motion.time * motion.x;
+            _centers.y = a.middleY - b.middleY + motion.startY + motion.time * motion.y;
+            _centers.z = a.middleZ - b.middleZ + motion.startZ + motion.time * motion.z;
         }
 
         private function areOverlapping(a:Body, b:Body):Boolean

@@ -1,6 +1,5 @@
-// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. setList() reads the agents' bodies, readPlaces() their
-// places.
-// This file is long because all that writes the columns of a row is in it.
+// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. readBodies() reads the agents' bodies, readPlaces() their
+// places. EnvironmentRows reads the ground and the edges of the world.
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
@@ -27,12 +26,9 @@ package starlogo.search.table
      */
     public final class AgentTable
     {
-        // In place of a revision at which a row was read: it is read with the next list, even if its agent does not change. RowMotions reads its
-        // motion too.
-        private static const NOT_READ:int = -1;
-
-        // In place of a revision at which a motion may begin: none begins there. It is less than the revision of any jump.
-        private static const NO_START:int = -2;
+        // In place of the revision at which a row was read: no search has seen the agent with its model, so no motion begins at its place. It is less
+        // than the revision of any jump.
+        private static const UNSEEN:int = -1;
 
         /** The list that was read last, and the row of each agent. */
         public var listed:ListedAgents;
@@ -46,7 +42,7 @@ package starlogo.search.table
         /** By row: where the last search saw the agent. */
         engine var places:Points = new Points();
 
-        /** By row: the agent's revision at which the row was read; NOT_READ if it is read with the next list in any case. */
+        /** By row: the agent's revision at which the row was read, or UNSEEN. */
         engine var revisions:Vector.<int> = new Vector.<int>();
 
         /** By row: the extents of the row's body at that place, copied for the bins. */
@@ -58,18 +54,17 @@ package starlogo.search.table
         /** The number of rows read last whose models are still loading. */
         engine var loadingCount:int = 0;
 
-        /** The rows whose agents have changed, or whose models were replaced. */
+        /** The rows that the last list has changed: their agents have, or their models were replaced. */
         engine var changed:IntList = new IntList();
 
-        /** The rows of the ground and the edges of the world, if the last <code>readEnvironment()</code> found others, or found them changed. */
-        engine var changedEnvironment:IntList = new IntList();
+        /** The rows of the ground and the edges of the world. */
+        engine var environment:EnvironmentRows;
 
         // Chooses the shapes of the agents. It may have other tables too.
         private var _choice:BaseShapeChoice;
 
-        // By row: the agent's next motion begins at its place if the agent has not jumped since this revision. The last search saw it there. NO_START
-        // stands for no motion.
-        private var _startRevisions:Vector.<int> = new Vector.<int>();
+        // Whether the places are those of a snapshot. All rows are read with the next list then.
+        private var _arePlacesRestored:Boolean = false;
 
         // By row: the body, and the agent's bodyRevision at which it was read.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
@@ -87,13 +82,14 @@ package starlogo.search.table
         {
             _choice = choice;
             this.listed = listed || new ListedAgents();
+            environment = new EnvironmentRows(this);
             makeRoom();
         }
 
-        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>setList()</code> does */
+        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>readBodies()</code> does */
         public function read(agents:Vector.<Agent>):void
         {
-            setList(agents);
+            readBodies(agents);
             readPlaces();
         }
 
@@ -105,27 +101,23 @@ package starlogo.search.table
          *     listed are then unchanged
          * @throws RangeError if a structure is out of the world. All rows that are listed are then unchanged
          */
-        public function setList(agents:Vector.<Agent>):void
+        public function readBodies(agents:Vector.<Agent>):void
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;
-            if (agents.length == listed.rows.count && tryFindChanged(agents, listed.rows))
-            {
-                findNewShapes(agents);
-            }
-            else
+            var isOtherList:Boolean = agents.length != listed.rows.count || !tryFindChanged(agents, listed.rows);
+            if (isOtherList)
             {
                 listed.propose(agents);
-                tryFindChanged(agents, listed.proposed);
-                findNewShapes(agents);
-                // from here on nothing is refused
-                listed.accept(agents);
                 makeRoom();
-                applyListChanges();
+                tryFindChanged(agents, listed.proposed);
             }
-            for (var i:int = 0; i < changed.count; i++)
+            findNewShapes(agents);
+            // from here on nothing is refused
+            if (isOtherList)
             {
-                changed.values[i] = listed.rows.values[changed.values[i]];
+                listed.accept(agents);
+                emptyLeftRows();
             }
             writeNewShapes();
         }
@@ -137,11 +129,11 @@ package starlogo.search.table
             {
                 var row:int = changed.values[i];
                 var agent:Agent = listed.agentsByRow[row];
-                _startRevisions[row] = agent.revision;
                 breeds[row] = agent.breedNumber;
                 writePlace(row, agent);
                 extents.assignLevel(row);
             }
+            _arePlacesRestored = false;
         }
 
         /**
@@ -162,7 +154,7 @@ package starlogo.search.table
         }
 
         /**
-         * Writes the place of a row in the last search, as if the search had seen the agent there.
+         * Writes the place of a row that was just read, as if the last search had seen the agent there. Call it for all rows.
          *
          * @param hasMotion whether the agent's next motion begins there
          */
@@ -171,18 +163,17 @@ package starlogo.search.table
             places.x[row] = x;
             places.y[row] = y;
             places.z[row] = z;
-            // the extents are elsewhere, and RowMotions has not read the motion
-            revisions[row] = NOT_READ;
             if (!hasMotion)
             {
-                _startRevisions[row] = NO_START;
+                revisions[row] = UNSEEN;
             }
+            _arePlacesRestored = true;
         }
 
         /** Whether a motion of a row's agent may begin at its place: the last search has seen the agent there, and it has not jumped since. */
         public function isMotionStart(row:int):Boolean
         {
-            return listed.agentsByRow[row].jumpRevision <= _startRevisions[row];
+            return listed.agentsByRow[row].jumpRevision <= revisions[row];
         }
 
         /** Lets no motion of any agent begin at its place, as if the last search had not seen it. */
@@ -190,52 +181,7 @@ package starlogo.search.table
         {
             for (var row:int = ListedAgents.FIRST_LISTED; row < revisions.length; row++)
             {
-                _startRevisions[row] = NO_START;
-                revisions[row] = NOT_READ;
-            }
-        }
-
-        /** Reads the ground and the edges of the world for a search. Either may be null. */
-        public function readEnvironment(ground:EnvironmentAgent, edges:EnvironmentAgent):void
-        {
-            changedEnvironment.count = 0;
-            readEnvironmentAgent(ListedAgents.GROUND_ROW, ground);
-            readEnvironmentAgent(ListedAgents.EDGES_ROW, edges);
-        }
-
-        private function readEnvironmentAgent(row:int, agent:EnvironmentAgent):void
-        {
-            var isOther:Boolean = listed.agentsByRow[row] !== agent;
-            if (isOther)
-            {
-                listed.agentsByRow[row] = agent;
-                shapes[row] = null;
-            }
-            if (isOther || agent != null && agent.revision != revisions[row])
-            {
-                changedEnvironment.add(row);
-            }
-            if (agent != null)
-            {
-                breeds[row] = agent.breedNumber;
-                revisions[row] = agent.revision;
-                writeSurface(row);
-            }
-        }
-
-        /** Reads the ground and the edges of the last search again, as they are now. */
-        public function refreshEnvironment():void
-        {
-            writeSurface(ListedAgents.GROUND_ROW);
-            writeSurface(ListedAgents.EDGES_ROW);
-        }
-
-        private function writeSurface(row:int):void
-        {
-            var agent:EnvironmentAgent = EnvironmentAgent(listed.agentsByRow[row]);
-            if (agent != null && shapes[row] !== agent.surface)
-            {
-                writeShape(row, agent.surface);
+                revisions[row] = UNSEEN;
             }
         }
 
@@ -248,12 +194,12 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             var row:int = listed.rowOf(agent);
-            if (row >= 0 && agent.revision == revisions[row] && isBodyCurrent(row))
+            if (isSeen(row) && agent.revision == revisions[row] && isBodyCurrent(row))
             {
                 return bodyOf(row);
             }
-            var environment:EnvironmentAgent = agent as EnvironmentAgent;
-            spare.setToAgent(agent, environment == null ? _choice.shapeOf(agent) : environment.requireSurface());
+            var environmentAgent:EnvironmentAgent = agent as EnvironmentAgent;
+            spare.setToAgent(agent, environmentAgent == null ? _choice.shapeOf(agent) : environmentAgent.requireSurface());
             spare.orderKey = listed.orderKeyOf(agent, row);
             return spare;
         }
@@ -261,7 +207,7 @@ package starlogo.search.table
         /** Whether the last search has seen the agent of a row, as the row has it. Pass the answer of <code>ListedAgents.rowOf()</code>. */
         public function isSeen(row:int):Boolean
         {
-            return row >= 0 && shapes[row] != null && revisions[row] != NOT_READ;
+            return row >= 0 && shapes[row] != null && revisions[row] != UNSEEN && !_arePlacesRestored;
         }
 
         /** Gives the body of a row that is seen the extents of its model's present pose. */
@@ -278,6 +224,7 @@ package starlogo.search.table
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
+            body.orderKey = listed.listIndices[row];
             body.moveToRow(row, places);
             return body;
         }
@@ -288,9 +235,8 @@ package starlogo.search.table
             return shapes[row] != null && !shapes[row].isStale && listed.agentsByRow[row].bodyRevision == _bodyRevisions[row];
         }
 
-        // Finds the agents that have changed since the last search (changed), and those whose bodies have (_reshaped), both as list indices, because new
-        // agents have no rows yet; and whether an agent sweeps. Returns false if the rows are those of another list. It compares them in the same loop,
-        // because a second one makes still frames slower.
+        // Finds the rows whose agents have changed since the last search (changed), the list indices of those whose bodies have (_reshaped), and whether an
+        // agent sweeps. Returns false if a row has another agent. It compares them in the same loop, because a second one makes still frames slower.
         private function tryFindChanged(agents:Vector.<Agent>, rowList:IntList):Boolean
         {
             var rows:Vector.<int> = rowList.values;
@@ -299,38 +245,36 @@ package starlogo.search.table
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
             var end:int = agents.length;
-            var changedIndices:IntList = changed;
-            var reshaped:IntList = _reshaped;
+            var readsAll:Boolean = _arePlacesRestored;
             var isSweeping:Boolean = false;
-            changedIndices.count = reshaped.count = 0;
+            changed.count = _reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
                 var agent:Agent = agents[i];
-                var isNew:Boolean = row < 0;
-                if (!isNew && byRow[row] !== agent)
+                // the row of a new agent is empty
+                if (byRow[row] !== agent && byRow[row] != null)
                 {
                     return false;
                 }
                 isSweeping = isSweeping || agent.isSweeping;
                 // isBodyCurrent(), written out for the loop
-                var shape:ModelShape = isNew ? null : shapesSeen[row];
-                var isShapeStale:Boolean = shape == null || shape.isStale;
-                if (isShapeStale || agent.revision != seen[row])
+                var isShapeStale:Boolean = shapesSeen[row] == null || shapesSeen[row].isStale;
+                if (isShapeStale || readsAll || agent.revision != seen[row])
                 {
                     if (isShapeStale || agent.bodyRevision != bodiesSeen[row])
                     {
-                        reshaped.add(i);
+                        _reshaped.add(i);
                     }
-                    changedIndices.add(i);
+                    changed.add(row);
                 }
             }
             anySweeps = isSweeping;
             return true;
         }
 
-        // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.
-        private function applyListChanges():void
+        // Empties the rows of agents that have left. So a new agent finds an empty row.
+        private function emptyLeftRows():void
         {
             var changes:IntList = listed.leftOrReordered;
             for (var i:int = 0; i < changes.count; i++)
@@ -341,10 +285,6 @@ package starlogo.search.table
                     shapes[row] = null;
                     extents.levelIndices[row] = 0;
                 }
-            }
-            for (i = 0; i < listed.rows.count; i++)
-            {
-                _bodies[listed.rows.values[i]].orderKey = i;
             }
         }
 
@@ -358,7 +298,7 @@ package starlogo.search.table
                 return;
             }
             shapes.length = _bodies.length = length;
-            breeds.length = revisions.length = _startRevisions.length = _bodyRevisions.length = length;
+            breeds.length = revisions.length = _bodyRevisions.length = length;
             places.grow(length);
             extents.grow(length);
             for (; row < length; row++)
@@ -414,15 +354,15 @@ package starlogo.search.table
                 _newShapes[i] = null;
                 if (before == null || next == null || next.modelName != before.modelName)
                 {
-                    _startRevisions[row] = NO_START;
+                    revisions[row] = UNSEEN;
                 }
                 loadingCount += int(next == null);
                 writeShape(row, next);
             }
         }
 
-        // Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading.
-        private function writeShape(row:int, shape:ModelShape):void
+        /** Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading. */
+        internal function writeShape(row:int, shape:ModelShape):void
         {
             shapes[row] = shape;
             if (shape == null)
@@ -432,7 +372,6 @@ package starlogo.search.table
             var agent:Agent = listed.agentsByRow[row];
             var body:Body = _bodies[row];
             body.setToAgent(agent, shape);
-            body.orderKey = listed.listIndices[row];
             writeExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
         }

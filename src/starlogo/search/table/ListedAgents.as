@@ -46,7 +46,7 @@ package starlogo.search.table
          */
         public var leftOrReordered:IntList = new IntList();
 
-        /** By index in the proposed list: the row of an agent that is listed, or -1 for a new one. */
+        /** The rows of the agents of the proposed list, in its order. The rows of new agents are free until it is accepted. */
         internal var proposed:IntList = new IntList();
 
         private var _free:IntList = new IntList();
@@ -102,7 +102,7 @@ package starlogo.search.table
         }
 
         /**
-         * Finds the rows that the agents of a list have. Call it alone to find out whether a list is refused.
+         * Finds the rows that the agents of a list have, and free ones for new agents. Call it alone to find out whether a list is refused.
          *
          * @throws ArgumentError if an agent is null or listed twice
          */
@@ -110,6 +110,7 @@ package starlogo.search.table
         {
             var listed:Vector.<int> = rows.values;
             var to:Vector.<int> = proposed.values;
+            var newCount:int = 0;
             _inProposed.clear(rowCapacity);
             _newIds.clear();
             for (var i:int = 0; i < list.length; i++)
@@ -125,13 +126,47 @@ package starlogo.search.table
                 {
                     throw listedTwiceError(list, i);
                 }
+                newCount += int(row < 0);
                 to[i] = row;
             }
             proposed.count = list.length;
+            if (newCount > 0)
+            {
+                chooseFreeRows(newCount);
+            }
+        }
+
+        // Chooses the rows of the new agents of the proposed list: the last free ones. They stay free.
+        private function chooseFreeRows(newCount:int):void
+        {
+            if (newCount > _free.count)
+            {
+                addRows(newCount - _free.count);
+            }
+            var next:int = _free.count;
+            for (var i:int = 0; i < proposed.count; i++)
+            {
+                if (proposed.values[i] < 0)
+                {
+                    next--;
+                    proposed.values[i] = _free.values[next];
+                }
+            }
+        }
+
+        private function addRows(count:int):void
+        {
+            var before:int = rowCapacity;
+            // and an eighth more, because a vector that grows a little each time is copied each time
+            agentsByRow.length = listIndices.length = before + count + (before >> 3);
+            for (var row:int = rowCapacity - 1; row >= before; row--)
+            {
+                _free.add(row);
+            }
         }
 
         /**
-         * Makes the agents of the proposed list the ones that are listed. New agents get rows, and the rows of those that have left become free.
+         * Makes the agents of the proposed list the ones that are listed. New agents take their rows, and the rows of those that have left become free.
          *
          * @param list the list that was proposed
          */
@@ -143,16 +178,17 @@ package starlogo.search.table
             proposed = before;
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (rows.values[i] < 0)
+                var row:int = rows.values[i];
+                if (agentsByRow[row] == null)
                 {
-                    rows.values[i] = add(list[i]);
+                    take(row, list[i]);
                 }
-                listIndices[rows.values[i]] = i;
+                listIndices[row] = i;
             }
-            // only now, so no new agent gets the row of one that has left
+            // only now, because the new agents take the last free rows
             for (i = 0; i < before.count; i++)
             {
-                var row:int = before.values[i];
+                row = before.values[i];
                 if (!_inProposed.has(row))
                 {
                     leftOrReordered.add(row);
@@ -195,29 +231,20 @@ package starlogo.search.table
             }
         }
 
-        private function add(agent:Agent):int
+        // Gives the last free row to a new agent.
+        private function take(row:int, agent:Agent):void
         {
             warnOfUnknownProperties(agent);
-            if (_free.count == 0)
-            {
-                addRows();
-            }
             _free.count--;
-            var row:int = _free.values[_free.count];
             agentsByRow[row] = agent;
             _rowsById.set (agent.idNumber, 0, row);
-            return row;
         }
 
-        private function addRows():void
+        private function free(row:int):void
         {
-            var before:int = agentsByRow.length;
-            // grows by an eighth, because a vector that grows by one element is copied each time
-            agentsByRow.length = listIndices.length = before + 1 + (before >> 3);
-            for (var row:int = agentsByRow.length - 1; row >= before; row--)
-            {
-                _free.add(row);
-            }
+            _rowsById.remove(agentsByRow[row].idNumber, 0);
+            agentsByRow[row] = null;
+            _free.add(row);
         }
 
         // Finds rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
@@ -229,7 +256,7 @@ package starlogo.search.table
             for (var i:int = 0; i < proposed.count; i++)
             {
                 var row:int = proposed.values[i];
-                if (row < 0)
+                if (agentsByRow[row] == null)
                 {
                     continue;
                 }
@@ -247,13 +274,6 @@ package starlogo.search.table
                 inOrder[end] = row;
                 end++;
             }
-        }
-
-        private function free(row:int):void
-        {
-            _rowsById.remove(agentsByRow[row].idNumber, 0);
-            agentsByRow[row] = null;
-            _free.add(row);
         }
     }
 }

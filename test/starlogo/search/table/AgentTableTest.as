@@ -107,8 +107,8 @@ package starlogo.search.table
             _table.writeLastPlace(row, 2, 0, 0, true);
             assertEquals("the agent is as it was", revision, agent.revision);
             assertTrue(_table.isMotionStart(row));
-            _table.setList(_agents);
-            assertEquals("rows to read", 1, _table.changed.count);
+            _table.readBodies(_agents);
+            assertEquals("rows to read", _agents.length, _table.changed.count);
             assertEquals(2, _table.places.x[row]);
             _table.readPlaces();
             assertEquals(5, _table.places.x[row]);

@@ -23,7 +23,7 @@ package starlogo.search
      * A frame in which few agents have changed tests these agents alone. test/fuzz/kept.test.mjs plays games in which they change: the calls are
      * those of a frame that tests all.
      */
-    public class ChangedRowsTest
+    public class ChangedRowSearchTest
     {
         private static const BREEDS:Array = ["walls", "coins", "movers"];
 

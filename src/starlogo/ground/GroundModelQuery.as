@@ -39,9 +39,10 @@ package starlogo.ground
 
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
-        // The end of a push, as the start of a motion.
-        private var _end:RelativeMotion = new RelativeMotion();
         private var _firstImpact:FirstImpact = new FirstImpact();
+
+        // A place near the end of a push, as the start of a motion.
+        private var _end:RelativeMotion = new RelativeMotion();
 
         public function GroundModelQuery()
         {

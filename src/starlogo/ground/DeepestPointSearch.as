@@ -1,82 +1,147 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.solid.SupportPoint;
 
     /**
      * Finds the point of a model that is deepest in the ground, without a look at pieces and triangles: it follows the normals of the ground. The point of the
      * model that is farthest against a normal leaves the ground along that normal. If the plane of the normal is not the ground's surface at the exit, the
-     * search goes on with the normal there.
+     * search goes on with the normal there. If it goes to and fro between two planes, these are the sides of a valley, or a ridge (RidgeExitSearch).
      *
-     * <p>On most ground this is the contact that separates the two. But another point may be deeper behind another triangle, so callers test it.</p>
+     * <p>Another point may be deeper behind another triangle.</p>
      */
     internal final class DeepestPointSearch
     {
         // How many normals are tried.
-        private static const MAX_STEPS:int = 3;
+        private static const MAX_STEPS:int = 4;
 
-        private var _under:GroundPoint = new GroundPoint();
-        private var _normal:Vector3D = new Vector3D();
-        private var _inwards:Vector3D = new Vector3D();
-        private var _deepest:SupportPoint = new SupportPoint();
-        private var _contact:ContactPoint = new ContactPoint();
+        private static const NONE:Vector3D = new Vector3D();
+
+        private var _ridges:RidgeExitSearch = new RidgeExitSearch();
+
+        // The place on the surface where the search is, and how far the end of the last exit is above it.
+        private var _at:GroundPoint = new GroundPoint();
+        private var _above:Number = 0;
+
+        // The exits of the last two steps.
+        private var _last:GroundExit = new GroundExit();
+        private var _lastButOne:GroundExit = new GroundExit();
+
+        // The exit of a quick test.
+        private var _exit:GroundExit = new GroundExit();
+
+        /** Sets the plane of an exit to the surface under the middle of a model's box. Returns false if no ground is there. */
+        public function beginUnder(model:ModelPiece, search:GroundSearch, exit:GroundExit):Boolean
+        {
+            _at.x = model.box.x + search.origin.x;
+            _at.y = model.box.y + search.origin.y;
+            search.grid.findHeight(_at);
+            setPlane(search, exit);
+            return !isNaN(_at.height);
+        }
 
         /**
-         * Finds the contact of the deepest point.
+         * Finds the exit of the deepest point.
          *
          * @param model where it stands
-         * @param grid the ground
-         * @param origin the place that the model is relative to
-         * @param out receives the contact, in the world. Its depth is negative if all of the model is in front of the plane
-         * @return whether the exit is on the ground's surface
+         * @param by how far it is displaced
+         * @param out the one at the index has the plane to begin with. It receives the exit, and if the point has to get out of both sides of a valley, the next
+         *     one receives the other
+         * @return how many exits there are: 1 ends on the ground's surface, 2 are of a valley; 0 if none is found
          */
-        public function find(model:ModelPiece, grid:HeightGrid, origin:Placement, out:ContactPoint):Boolean
+        public function find(model:ModelPiece, search:GroundSearch, by:Vector3D, out:Vector.<GroundExit>, index:int):int
         {
-            var tolerance:Number = Tolerances.SEPARATION * grid.cellWidth;
-            _under.x = origin.x;
-            _under.y = origin.y;
-            grid.findHeight(_under);
-            // NaN where no ground is
-            for (var step:int = 0; step < MAX_STEPS && _under.height == _under.height; step++)
+            var exit:GroundExit = out[index];
+            for (var step:int = 0; step < MAX_STEPS; step++)
             {
-                var normal:Vector3D = _normal;
-                grid.findNormal(_under, normal);
-                var offset:Number = normal.x * (_under.x - origin.x) + normal.y * (_under.y - origin.y) + normal.z * (_under.height - origin.z);
-                _inwards.setTo(-normal.x, -normal.y, -normal.z);
-                model.findFarthest(_inwards, _deepest);
-                var depth:Number = offset - (normal.x * _deepest.x + normal.y * _deepest.y + normal.z * _deepest.z);
-                _under.x = _deepest.x + depth * normal.x + origin.x;
-                _under.y = _deepest.y + depth * normal.y + origin.y;
-                grid.findHeight(_under);
-                if (Math.abs(_deepest.z + depth * normal.z + origin.z - _under.height) <= tolerance)
+                if (step > 1 && exit.normal.x == _lastButOne.normal.x && exit.normal.y == _lastButOne.normal.y)
                 {
-                    out.setNormal(normal.x, normal.y, normal.z);
-                    out.depth = depth;
-                    out.x = _deepest.x + depth / 2 * normal.x + origin.x;
-                    out.y = _deepest.y + depth / 2 * normal.y + origin.y;
-                    out.z = _deepest.z + depth / 2 * normal.z + origin.z;
-                    out.forget();
-                    out.isDeepestOfA = true;
+                    break;
+                }
+                exit.findPoint(model);
+                goToEnd(search, exit, by);
+                if (isAtEnd(search))
+                {
+                    return 1;
+                }
+                if (isNaN(_at.height))
+                {
+                    return 0;
+                }
+                _lastButOne.copyFrom(_last);
+                _last.copyFrom(exit);
+                setPlane(search, exit);
+            }
+            if (_above < 0)
+            {
+                exit.copyFrom(_last);
+                out[index + 1].copyFrom(_lastButOne);
+                return 2;
+            }
+            // between two points of a tree's triangles there is mostly nothing
+            if (model.areTriangles || !_ridges.find(model, _lastButOne, _last, exit))
+            {
+                return 0;
+            }
+            goToEnd(search, exit, by);
+            return isAtEnd(search) ? 1 : 0;
+        }
+
+        /** Whether a point that is deepest behind a plane is under the ground: a quick test, which shows it of most models that are in the ground. */
+        public function isPointUnder(model:ModelPiece, search:GroundSearch):Boolean
+        {
+            model.findWholeBox();
+            // most models whose lowest height is not in the ground under their middle are not in the ground
+            if (!beginUnder(model, search, _exit) || model.box.z - model.box.halfZ > _at.height - search.origin.z)
+            {
+                return false;
+            }
+            for (var step:int = 0; step < MAX_STEPS; step++)
+            {
+                _exit.findPoint(model);
+                if (_exit.heightOver(search, NONE) >= 0)
+                {
                     return true;
                 }
+                goToEnd(search, _exit, NONE);
+                if (isNaN(_at.height) || isAtEnd(search))
+                {
+                    return false;
+                }
+                setPlane(search, _exit);
             }
             return false;
         }
 
-        /** Whether the deepest point is under the ground: a quick test, which shows it of most models that are in the ground. */
-        public function isPointUnder(model:ModelPiece, grid:HeightGrid, origin:Placement):Boolean
+        // Sets the plane of an exit to the surface at the place where the search is.
+        private function setPlane(search:GroundSearch, exit:GroundExit):void
         {
-            if (!find(model, grid, origin, _contact))
-            {
-                return false;
-            }
-            _under.x = _deepest.x + origin.x;
-            _under.y = _deepest.y + origin.y;
-            grid.findHeight(_under);
-            return _under.height >= _deepest.z + origin.z;
+            var origin:Placement = search.origin;
+            var normal:Vector3D = exit.normal;
+            search.grid.findNormal(_at, normal);
+            exit.offset = normal.x * (_at.x - origin.x) + normal.y * (_at.y - origin.y) + normal.z * (_at.height - origin.z);
+        }
+
+        // Goes to the surface at the end of a displaced exit.
+        private function goToEnd(search:GroundSearch, exit:GroundExit, by:Vector3D):void
+        {
+            var normal:Vector3D = exit.normal;
+            var x:Number = exit.point.x + by.x;
+            var y:Number = exit.point.y + by.y;
+            var z:Number = exit.point.z + by.z;
+            // not the depth, because the point may be the mean of some that are as deep up to rounding
+            var length:Number = exit.offset - (normal.x * x + normal.y * y + normal.z * z);
+            _at.x = x + length * normal.x + search.origin.x;
+            _at.y = y + length * normal.y + search.origin.y;
+            search.grid.findHeight(_at);
+            _above = z + length * normal.z + search.origin.z - _at.height;
+        }
+
+        // Whether the end of the last exit is on the surface.
+        private function isAtEnd(search:GroundSearch):Boolean
+        {
+            return Math.abs(_above) <= Tolerances.SEPARATION * search.grid.cellWidth;
         }
     }
 }

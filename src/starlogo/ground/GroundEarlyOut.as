@@ -65,15 +65,6 @@ package starlogo.ground
             return isApart ? APART : UNKNOWN;
         }
 
-        /** Whether an agent's lowest height is in the ground under its middle: most of these touch the ground, and few others. */
-        public function isLowestInGround(grid:HeightGrid, extents:GroundBox):Boolean
-        {
-            _under.x = extents.x;
-            _under.y = extents.y;
-            grid.findHeight(_under);
-            return extents.z - extents.halfZ <= _under.height;
-        }
-
         // Finds the extents that are large enough for all rounding.
         private function findOuter(grid:HeightGrid, extents:GroundBox):void
         {

@@ -11,6 +11,10 @@ package starlogo.ground
      */
     public final class GroundExits
     {
+        // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that PenetrationSearch requires, so a proven depth
+        // needs no search for other ways out. Larger: more contacts need one.
+        internal static const MIN_RATIO_PROVEN:Number = 0.8;
+
         private var _deepest:Vector3D = new Vector3D();
 
         // Bounds of the heights around the deepest point.
@@ -42,6 +46,12 @@ package starlogo.ground
             var slopeX:Number = _heightsAround.maxStepX / grid.cellWidth;
             var slopeY:Number = _heightsAround.maxStepY / grid.cellWidth;
             return Math.max(least, below / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
+        }
+
+        /** Whether each exit is at least about as long as a contact is deep, because its deepest point has to get out. */
+        internal function isDepthProven(grid:HeightGrid, contact:ContactPoint):Boolean
+        {
+            return contact.depth >= 0 && boundOf(grid, contact, contact.depth) >= MIN_RATIO_PROVEN * contact.depth;
         }
 
         // How far a point in the ground is from where the ground ends, along x or y.

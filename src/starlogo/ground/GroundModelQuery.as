@@ -34,14 +34,21 @@ package starlogo.ground
         private static const FARTHEST:Number = 8 * Placement.LARGEST_COORDINATE;
 
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
+        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
+        private var _pushSearch:GroundPushSearch;
 
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _firstImpact:FirstImpact = new FirstImpact();
 
+        // A place near the end of a push, as the start of a motion.
+        private var _end:RelativeMotion = new RelativeMotion();
+
         public function GroundModelQuery()
         {
-            penetration = new GroundPenetrationQuery(_pairs);
+            var exits:GroundExits = new GroundExits();
+            penetration = new GroundPenetrationQuery(_pairs, exits);
+            _pushSearch = new GroundPushSearch(_deepest, exits);
         }
 
         /**
@@ -68,6 +75,10 @@ package starlogo.ground
         // Whether the two touch where the model is. areTouchingAt() is short so that V8 inlines it and allocates no object for the time.
         private function areTouching():Boolean
         {
+            if (_pairs.piece.tree != null && _deepest.isPointUnder(_pairs.piece, _pairs.search))
+            {
+                return true;
+            }
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
@@ -92,6 +103,29 @@ package starlogo.ground
                 }
             }
             return false;
+        }
+
+        /**
+         * Finds the contact of a push out of the ground, by planes alone (GroundPushSearch).
+         *
+         * @param probe the two touch so far before the end of the push, and are apart so far behind it
+         * @param out receives the contact, in the world
+         * @return whether there is one
+         */
+        public function findPush(probe:Number, out:ContactPoint):Boolean
+        {
+            var found:int = _pushSearch.find(_pairs.piece, _pairs.search, probe, out);
+            return found != GroundPushSearch.NONE && (found == GroundPushSearch.FREE || !areTouchingAfter(out, probe))
+                && (out.isDeepestOfA || areTouchingAfter(out, -probe));
+        }
+
+        // Whether the two touch after a push, and a little farther.
+        private function areTouchingAfter(push:ContactPoint, farther:Number):Boolean
+        {
+            _end.startX = (push.depth + farther) * push.normalX;
+            _end.startY = (push.depth + farther) * push.normalY;
+            _end.startZ = (push.depth + farther) * push.normalZ;
+            return areTouchingAt(_end, 0);
         }
 
         /** @inheritDoc */

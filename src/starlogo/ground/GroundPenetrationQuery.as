@@ -17,10 +17,6 @@ package starlogo.ground
      */
     public final class GroundPenetrationQuery
     {
-        // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that PenetrationSearch requires, so a proven depth
-        // needs no search for other ways out. Larger: more contacts need one.
-        private static const MIN_RATIO_PROVEN:Number = 0.8;
-
         // How many rounded terms a depth behind a plane is a sum of, of the shape and of the plane. Each may be off by the triangle's margin.
         private static const TERMS_OF_DEPTH:Number = 10;
 
@@ -29,16 +25,15 @@ package starlogo.ground
         // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
-        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
-
-        private var _exits:GroundExits = new GroundExits();
+        private var _exits:GroundExits;
 
         // Bounds of the heights around the model.
         private var _heightsAround:HeightBounds = new HeightBounds();
 
         /** @param pairs of the model, where it stands */
-        public function GroundPenetrationQuery(pairs:PieceTrianglePairs)
+        public function GroundPenetrationQuery(pairs:PieceTrianglePairs, exits:GroundExits)
         {
+            _exits = exits;
             _pairs = pairs;
         }
 
@@ -54,34 +49,6 @@ package starlogo.ground
             {
                 findLift(out);
             }
-        }
-
-        /**
-         * Finds the contact of the deepest point (DeepestPointSearch), if its depth is proven. A push along it may leave other points in the ground.
-         *
-         * @param tolerance how far a depth may be off. Up to two of these nothing is found. A quarter of it before the end of the push, the point is still
-         *     under the ground
-         * @param out receives the contact, in the world
-         * @return whether there is one
-         */
-        public function findDeepestPoint(tolerance:Number, out:ContactPoint):Boolean
-        {
-            var grid:HeightGrid = _pairs.search.grid;
-            if (!_deepest.find(_pairs.piece, grid, _pairs.search.origin, out) || out.depth <= 2 * tolerance || !isDepthProven(out))
-            {
-                return false;
-            }
-            var toEnd:Number = out.depth / 2 - tolerance / 4;
-            return grid.heightAt(out.x + toEnd * out.normalX, out.y + toEnd * out.normalY) > out.z + toEnd * out.normalZ;
-        }
-
-        /**
-         * Whether a quick test shows that the model touches the ground: its deepest point (DeepestPointSearch) is under the ground. This shows it of most
-         * models that do.
-         */
-        public function isDeepestPointUnder():Boolean
-        {
-            return _deepest.isPointUnder(_pairs.piece, _pairs.search.grid, _pairs.search.origin);
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
@@ -147,12 +114,12 @@ package starlogo.ground
                 if (_tried.depth >= out.depth + near.margin && isThrough(near.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
-                    if (isDepthProven(_tried))
+                    if (_exits.isDepthProven(_pairs.search.grid, _tried))
                     {
                         isFound = true;
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;
-                        out.exitBound = MIN_RATIO_PROVEN * out.depth;
+                        out.exitBound = GroundExits.MIN_RATIO_PROVEN * out.depth;
                         _pairs.minDepth = out.depth;
                     }
                 }
@@ -240,12 +207,6 @@ package starlogo.ground
         {
             var origin:Placement = _pairs.search.origin;
             return TERMS_OF_DEPTH * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
-        }
-
-        // Whether each exit from the ground is at least about as long as a contact in the world is deep, because the piece's deepest point has to get out.
-        private function isDepthProven(contact:ContactPoint):Boolean
-        {
-            return contact.depth >= 0 && _exits.boundOf(_pairs.search.grid, contact, contact.depth) >= MIN_RATIO_PROVEN * contact.depth;
         }
     }
 }

@@ -1,9 +1,10 @@
 // This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. HeightGrid has the heights, and
-// HeightPyramid bounds of them. Three parts build on these:
+// HeightPyramid bounds of them. Four parts build on these:
 // - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
 // - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPiece), each with the triangles near it.
-// GroundPenetrationQuery finds how deep the model is, GroundExits a lower bound of the lengths of its exits. DeepestPointSearch needs no
-// triangles: it finds the model's deepest point along the ground's normals.
+// GroundPenetrationQuery finds how deep the model is, GroundExits a lower bound of the lengths of its exits.
+// - GroundPushSearch finds the push of most contacts, by planes alone: from the exit of the model's deepest point (DeepestPointSearch,
+// RidgeExitSearch) to planes between the model and each GroundFacet (GroundSeparation). An exit leads one point out, a push the whole model.
 // - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
 // Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground

@@ -101,7 +101,24 @@ package starlogo.ground
         /** Finds the box around the whole model, where it stands now. There is no piece then. */
         public function findWholeBox():void
         {
-            setBoxAround(_structure);
+            if (tree == null)
+            {
+                setBoxAround(_structure);
+                return;
+            }
+            setToInnerNode(0);
+        }
+
+        /** Whether the smallest pieces are triangles. */
+        public function get areTriangles():Boolean
+        {
+            return _depth == BoxTree.EXACT;
+        }
+
+        /** The margin of the model's place and surface. */
+        public function get modelMargin():Number
+        {
+            return _modelMargin;
         }
 
         /** Finds the point of the model that is farthest in a direction. */

@@ -36,8 +36,8 @@ package starlogo.ground
         /** A limit: how deep a piece must be behind a triangle's plane. Triangles of which it clearly is not are left out. */
         public var minDepth:Number = 0;
 
-        // Whether triangles of the model need not be near the ground's triangles whose planes they are behind.
-        private var _isPlaneEnough:Boolean = false;
+        // Whether the pairs are for depths behind planes.
+        private var _isForDepths:Boolean = false;
 
         private var _source:GroundTriangles = new GroundTriangles();
 
@@ -88,8 +88,7 @@ package starlogo.ground
         {
             search.motion = motion;
             search.maxDistance = maxDistance;
-            _isPlaneEnough = false;
-            start();
+            start(false);
         }
 
         /**
@@ -100,13 +99,13 @@ package starlogo.ground
         {
             search.motion = RelativeMotion.NONE;
             search.maxDistance = 0;
-            _isPlaneEnough = true;
-            start();
+            start(true);
         }
 
         // Begins with the whole model.
-        private function start():void
+        private function start(isForDepths:Boolean):void
         {
+            _isForDepths = isForDepths;
             minDepth = 0;
             _source.stop();
             _next = _end = _listBegin = _listEnd = 0;
@@ -253,7 +252,7 @@ package starlogo.ground
         private function choose(from:Vector.<GroundTriangle>, begin:int, end:int):void
         {
             var maxDistance:Number = search.maxDistance;
-            var isPlaneEnough:Boolean = _isPlaneEnough && piece.kind == ModelPiece.TRIANGLE;
+            var countsWhereverItIs:Boolean = _isForDepths && piece.kind == ModelPiece.TRIANGLE;
             var gap:Number = maxDistance + _source.path.slack;
             var around:GroundBox = piece.box;
             if (!search.motion.isStill)
@@ -279,7 +278,7 @@ package starlogo.ground
                 var z:Number = normal.z > 0 ? minZ : maxZ;
                 // a flat triangle has no plane: then this is NaN, and the triangle counts
                 var isInFront:Boolean = normal.x * x + normal.y * y + normal.z * z - near.plane.max > gap - minDepth;
-                if (!isInFront && (isPlaneEnough
+                if (!isInFront && (countsWhereverItIs
                             || box.x - box.halfX - gap <= maxX && box.x + box.halfX + gap >= minX
                             && box.y - box.halfY - gap <= maxY && box.y + box.halfY + gap >= minY
                             && box.z - box.halfZ - gap <= maxZ && box.z + box.halfZ + gap >= minZ))

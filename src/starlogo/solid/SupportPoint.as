@@ -14,5 +14,14 @@ package starlogo.solid
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
+
+        /** Becomes the same as another point. */
+        public function copyFrom(other:SupportPoint):void
+        {
+            support = other.support;
+            x = other.x;
+            y = other.y;
+            z = other.z;
+        }
     }
 }

@@ -27,8 +27,9 @@ package starlogo.solid
         // A structure that is no tree.
         private var _shape:ConvexShape = new ConvexShape();
 
-        // The direction in the model's space.
+        // The direction in the model's space, and the absolute values of its coordinates. These are computed once, because Math.abs() takes the player long.
         private var _direction:Vector3D = new Vector3D();
+        private var _absolute:Vector3D = new Vector3D();
 
         // The farthest point of the present part of a tree.
         private var _part:SupportPoint = new SupportPoint();
@@ -110,8 +111,11 @@ package starlogo.solid
         // Finds the farthest point of a tree in the model's space. Of two nodes, the one that may reach farther comes first.
         private function findOfTree(tree:BoxTree, depth:int, direction:Vector3D, out:SupportPoint):void
         {
+            _absolute.x = Math.abs(direction.x);
+            _absolute.y = Math.abs(direction.y);
+            _absolute.z = Math.abs(direction.z);
             _nodes[0] = 0;
-            _upperBounds[0] = supportOfNode(tree.boxes, 0, direction);
+            _upperBounds[0] = supportOfNode(tree.boxes, 0, direction, _absolute);
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
@@ -123,8 +127,8 @@ package starlogo.solid
                 if (tree.leafUpToDepth[node] < depth)
                 {
                     var left:int = tree.left[node];
-                    var ofLeft:Number = supportOfNode(tree.boxes, 6 * left, direction);
-                    var ofRight:Number = supportOfNode(tree.boxes, 6 * left + 6, direction);
+                    var ofLeft:Number = supportOfNode(tree.boxes, 6 * left, direction, _absolute);
+                    var ofRight:Number = supportOfNode(tree.boxes, 6 * left + 6, direction, _absolute);
                     var isLeftFirst:Boolean = ofLeft >= ofRight;
                     var first:Number = isLeftFirst ? ofLeft : ofRight;
                     var second:Number = isLeftFirst ? ofRight : ofLeft;
@@ -154,10 +158,10 @@ package starlogo.solid
         }
 
         // How far a node's box reaches. Its numbers begin at an index: the middle, and the half-extents.
-        private static function supportOfNode(boxes:Vector.<Number>, at:int, direction:Vector3D):Number
+        private static function supportOfNode(boxes:Vector.<Number>, at:int, direction:Vector3D, absolute:Vector3D):Number
         {
             return boxes[at] * direction.x + boxes[int(at + 1)] * direction.y + boxes[int(at + 2)] * direction.z
-                + boxes[int(at + 3)] * Math.abs(direction.x) + boxes[int(at + 4)] * Math.abs(direction.y) + boxes[int(at + 5)] * Math.abs(direction.z);
+                + boxes[int(at + 3)] * absolute.x + boxes[int(at + 4)] * absolute.y + boxes[int(at + 5)] * absolute.z;
         }
 
         // Finds the farthest point of a node's box. If an edge or a face is across the direction, it is the middle of that.
@@ -178,7 +182,8 @@ package starlogo.solid
             var ofA:Number = vertices[a] * direction.x + vertices[int(a + 1)] * direction.y + vertices[int(a + 2)] * direction.z;
             var ofB:Number = vertices[b] * direction.x + vertices[int(b + 1)] * direction.y + vertices[int(b + 2)] * direction.z;
             var ofC:Number = vertices[c] * direction.x + vertices[int(c + 1)] * direction.y + vertices[int(c + 2)] * direction.z;
-            var farthest:Number = Math.max(ofA, Math.max(ofB, ofC));
+            var farthest:Number = ofA > ofB ? ofA : ofB;
+            farthest = farthest > ofC ? farthest : ofC;
             if (farthest < least)
             {
                 return false;

@@ -341,9 +341,9 @@ package starlogo.terrain
             {
                 return null;
             }
-            var normal:Vector3D = out || new Vector3D();
-            grid.findNormal(_point, normal);
-            return normal;
+            out ||= new Vector3D();
+            grid.findNormal(_point, out);
+            return out;
         }
 
         /**
@@ -378,25 +378,6 @@ package starlogo.terrain
                 throw new RangeError(what + " at column " + column + " and row " + row + " of the " + this
                         + "; columns and rows count heights, from 0 on: they are no places");
             }
-        }
-
-        // The heights of a picture's pixels, the bottom row first. White gets exactly the height of white. The data is null if the picture has none.
-        private static function greysOf(picture:Object, data:Object, white:Number):Vector.<Number>
-        {
-            var greys:Vector.<Number> = new Vector.<Number>();
-            for (var row:int = picture.height - 1; row >= 0; row--)
-            {
-                for (var column:int = 0; column < picture.width; column++)
-                {
-                    var at:int = 4 * (row * picture.width + column);
-                    var color:uint = data == null ? picture.getPixel(column, row) : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
-                    var sum:int = (color >> 16 & 255) + (color >> 8 & 255) + (color & 255);
-                    // white without the rounding of the division
-                    var grey:Number = sum == 765 ? white : white / 765 * sum;
-                    greys.push(grey);
-                }
-            }
-            return greys;
         }
     }
 }

@@ -9,7 +9,6 @@ package starlogo.ground
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
-    import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -30,7 +29,9 @@ package starlogo.ground
         private var _search:DeepestPointSearch = new DeepestPointSearch();
         private var _model:ModelPiece = new ModelPiece();
         private var _origin:Placement = new Placement();
-        private var _out:ContactPoint = new ContactPoint();
+        private var _ground:GroundSearch = new GroundSearch();
+        private var _exits:Vector.<GroundExit> = new <GroundExit>[new GroundExit(), new GroundExit()];
+        private var _out:GroundExit = _exits[0];
 
         // The ground, whose heights are a function of how far east and north of the middle they are. The middle is far from the origin.
         private var _grid:HeightGrid;
@@ -62,12 +63,12 @@ package starlogo.ground
                 var ofShape:Number = normal.x * (shape.origin.x + shape.points[lowest]) + normal.y * (shape.origin.y + shape.points[int(lowest + 1)])
                     + normal.z * (shape.origin.z + shape.points[int(lowest + 2)]) - shape.radius;
                 var depth:Number = -ofShape - high * normal.z;
-                assertTrue(i + ": found", find());
+                assertEquals(i + ": found", 1, find());
                 assertClose(depth, _out.depth, 1e-8, i + ": depth");
                 assertNormal(i + ": normal", normal.x, normal.y, normal.z);
-                assertTrue(i + ": deepest", _out.isDeepestOfA);
+                assertTrue(i + ": of the model", _out.isPointOfModel);
                 assertExit(i + ": exit");
-                assertEquals(i + ": under", depth > 0, isPointUnder());
+                assertEquals(i + ": under", depth > 0 && isLowestUnderMiddle(), isPointUnder());
             }
         }
 
@@ -80,27 +81,52 @@ package starlogo.ground
             var depth:Number = 0.25 / length + RADIUS;
             var below:BoundingStructure = new Sphere(new Vector3D(-3, 0, -1.25), RADIUS);
             place(below, 0.5, 0, -0.25);
-            assertTrue("found", find());
+            assertEquals("found", 1, find());
             assertNormal("normal", -0.5 / length, 0, 1 / length);
             assertClose(depth, _out.depth, 1e-8, "depth");
             assertExit("exit");
             assertTrue("under", isPointUnder());
             // its place is on the same side
             place(below, 5.5, 0, -0.25);
-            assertTrue("found in the east", find());
+            assertEquals("found in the east", 1, find());
             assertNormal("normal in the east", 0.5 / length, 0, 1 / length);
             assertClose(depth, _out.depth, 1e-8, "depth in the east");
             assertTrue("under in the east", isPointUnder());
         }
 
-        // What is deepest behind the plane of each side leaves the ground at the other side, again and again.
+        // What is deepest behind the plane of each side leaves the ground at the other side, again and again: the ridge is across the box.
         [Test]
-        public function acrossARidgeNoExitIsOnTheSurface():void
+        public function acrossARidgeTheExitIsOfBothEdges():void
         {
             makeGround(ridge);
-            place(new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 2, 2, 0.1), 0.25, 0, -0.1);
-            assertFalse("found", find());
-            assertFalse("under", isPointUnder());
+            place(box(2, 2, 0.1), 0.25, 0, -0.1);
+            assertEquals("found", 1, find());
+            assertNormal("normal", 0, 0, 1);
+            assertClose(0.2, _out.depth, 1e-8, "depth");
+            assertExit("exit");
+            assertTrue("of the model", _out.isPointOfModel);
+            assertFalse("no corner is under", isPointUnder());
+            // a box that is tilted less than the sides lies across it too
+            var angle:Number = 10 * Math.PI / 180;
+            place(new Box(new Vector3D(), new Vector3D(Math.cos(angle), 0, Math.sin(angle)), Vector3D.Y_AXIS, new Vector3D(-Math.sin(angle), 0, Math.cos(angle)), 2, 2,
+                        0.1), 0, 0, 0.05);
+            assertEquals("found tilted", 1, find());
+            assertNormal("normal of the box", -Math.sin(angle), 0, Math.cos(angle));
+            assertExit("exit tilted");
+        }
+
+        // Above the bottom of a valley each side leads to the other one.
+        [Test]
+        public function inAValleyBothSidesCount():void
+        {
+            makeGround(function(x:Number, y:Number):Number
+                {
+                    return Math.abs(x);
+                });
+            place(new Sphere(new Vector3D(), RADIUS), 0.02, 0, -0.5);
+            assertEquals("found", 2, find());
+            assertClose(0, _exits[0].normal.x + _exits[1].normal.x, 1e-9, "normals");
+            assertTrue("under", isPointUnder());
         }
 
         // The exit is on the surface, but the point is on the other side of a narrow ridge, in the air.
@@ -112,7 +138,7 @@ package starlogo.ground
                     return x < 0 ? 5 * x : -x;
                 });
             place(new Sphere(new Vector3D(-0.3, 0, -0.2), RADIUS), 0.2, 0, -0.2);
-            assertTrue("found", find());
+            assertEquals("found", 1, find());
             assertClose(0.25 * Math.SQRT2 + RADIUS, _out.depth, 1e-8, "depth");
             assertExit("exit");
             assertFalse("under", isPointUnder());
@@ -127,19 +153,19 @@ package starlogo.ground
                 });
             var point:BoundingStructure = new Sphere(new Vector3D(1.25, 0, -0.2), RADIUS);
             place(point, 0.4, 0.25, 0);
-            assertTrue("found without a hole", find());
+            assertEquals("found without a hole", 1, find());
             assertTrue("under without a hole", isPointUnder());
             // under the point
             setHole(1.65, 0.25);
-            assertFalse("found", find());
+            assertEquals("found", 0, find());
             assertFalse("under", isPointUnder());
             // under the place of the model
             place(point, 1.6, 0.25, 0);
-            assertFalse("found from a hole", find());
-            assertFalse("under from a hole", isPointUnder());
+            assertEquals("found from a hole", 0, find());
+            assertTrue("under beside a hole", isPointUnder());
             // outside
             place(point, 100, 0, 0);
-            assertFalse("found outside", find());
+            assertEquals("found outside", 0, find());
             assertFalse("under outside", isPointUnder());
         }
 
@@ -152,7 +178,7 @@ package starlogo.ground
                 });
             _grid.isBlocky = true;
             place(new Sphere(new Vector3D(2, 0, 0.5), RADIUS), 0, 0, 0);
-            assertTrue("found", find());
+            assertEquals("found", 1, find());
             assertNormal("normal", 0, 0, 1);
             assertClose(1.5 + RADIUS, _out.depth, 1e-8, "depth");
             assertTrue("under", isPointUnder());
@@ -190,28 +216,54 @@ package starlogo.ground
             _model.setModel(null, structure, _origin, 1);
         }
 
-        private function find():Boolean
+        private static function box(halfX:Number, halfY:Number, halfZ:Number):Box
         {
-            return _search.find(_model, _grid, _origin, _out);
+            return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halfX, halfY, halfZ);
+        }
+
+        private function find():int
+        {
+            setSearch();
+            _model.findWholeBox();
+            // begins at the model's place
+            _model.box.x = _model.box.y = 0;
+            return _search.beginUnder(_model, _ground, _out) ? _search.find(_model, _ground, new Vector3D(), _exits, 0) : 0;
         }
 
         private function isPointUnder():Boolean
         {
-            return _search.isPointUnder(_model, _grid, _origin);
+            setSearch();
+            return _search.isPointUnder(_model, _ground);
+        }
+
+        // On steep slopes the quick test leaves out models whose lowest height is not in the ground under their middle.
+        private function isLowestUnderMiddle():Boolean
+        {
+            var box:GroundBox = _model.box;
+            _model.findWholeBox();
+            return _grid.heightAt(box.x + _origin.x, box.y + _origin.y) >= box.z - box.halfZ + _origin.z;
+        }
+
+        private function setSearch():void
+        {
+            _ground.grid = _grid;
+            _ground.origin.copyFrom(_origin);
         }
 
         private function assertNormal(message:String, x:Number, y:Number, z:Number):void
         {
-            assertClose(x, _out.normalX, 1e-9, message + " x");
-            assertClose(y, _out.normalY, 1e-9, message + " y");
-            assertClose(z, _out.normalZ, 1e-9, message + " z");
+            assertClose(x, _out.normal.x, 1e-9, message + " x");
+            assertClose(y, _out.normal.y, 1e-9, message + " y");
+            assertClose(z, _out.normal.z, 1e-9, message + " z");
         }
 
-        // The contact's point is half of the depth before the exit, which is on the surface.
+        // The exit ends on the surface.
         private function assertExit(message:String):void
         {
-            var way:Number = _out.depth / 2;
-            assertClose(_grid.heightAt(_out.x + way * _out.normalX, _out.y + way * _out.normalY), _out.z + way * _out.normalZ, 1e-8, message);
+            var normal:Vector3D = _out.normal;
+            var x:Number = _out.point.x + _out.depth * normal.x;
+            var y:Number = _out.point.y + _out.depth * normal.y;
+            assertClose(_grid.heightAt(x + _origin.x, y + _origin.y), _out.point.z + _out.depth * normal.z + _origin.z, 1e-8, message);
         }
     }
 }

@@ -159,6 +159,26 @@ package starlogo.terrain
             assertThrows(RangeError, "column 0 and row -1", _terrain.isHole, 0, -1);
         }
 
+        // With slopes the last height along x or y has no cell of its own.
+        [Test]
+        public function aHoleOfTheLastColumnOrRowIsSeenOnlyOfBlocks():void
+        {
+            for each (var at:Array in [[2, 1], [1, 2], [2, 2]])
+            {
+                var terrain:Terrain = new Terrain(3, 3, 2, -2, -2);
+                terrain.setHole(at[0], at[1], true);
+                assertTrue(at + " is noted", terrain.isHole(at[0], at[1]));
+                for (var i:int = 0; i < 81; i++)
+                {
+                    assertEquals(at + ", slopes", 0, terrain.heightAt(i % 9 / 2 - 2, int(i / 9) / 2 - 2));
+                }
+                terrain.isBlocky = true;
+                assertTrue(at + ", blocks", isNaN(terrain.heightAt(2 * at[0] - 2, 2 * at[1] - 2)));
+                terrain.isBlocky = false;
+                assertEquals(at + ", slopes again", 0, terrain.heightAt(2 * at[0] - 2, 2 * at[1] - 2));
+            }
+        }
+
         [Test]
         public function theBorderOfAHoleBelongsToTheGroundAlsoIfItIsRounded():void
         {

@@ -42,9 +42,6 @@ package starlogo.search.pairs
         private var _query:GroundModelQuery = new GroundModelQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
 
-        // A displacement of the body, as the start of a motion.
-        private var _push:RelativeMotion = new RelativeMotion();
-
         /** @param limits how far trees are tested */
         public function GroundPairTests(limits:TreeLimits)
         {
@@ -62,18 +59,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            return isDeepestPointUnder(a, b) || touchesAtBeginning(a, b, RelativeMotion.NONE);
-        }
-
-        // Whether a quick test shows that a tree touches the ground. The other tests of a structure are as quick.
-        private function isDeepestPointUnder(a:Body, b:Body):Boolean
-        {
-            if (a.kind != ModelShape.TREE)
-            {
-                return false;
-            }
-            setBox(a, RelativeMotion.NONE);
-            return _earlyOut.isLowestInGround(gridOf(b), _box) && queryOf(a, b).penetration.isDeepestPointUnder();
+            return touchesAtBeginning(a, b, RelativeMotion.NONE);
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
@@ -123,10 +109,10 @@ package starlogo.search.pairs
             return contact.exitBound > depthToleranceOf(a, b);
         }
 
-        /** For most bodies, the push that leads their deepest point out of the ground leads all of them out. @inheritDoc */
+        /** For most bodies, planes alone show the push. @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (findPushOfDeepestPoint(a, b, out))
+            if (queryOf(a, b).findPush(DisplacedPair.PROBE_SHARE * depthToleranceOf(a, b), out))
             {
                 motion.endAfter(0, 0, 0);
                 motion.time = 1;
@@ -135,22 +121,6 @@ package starlogo.search.pairs
                 return;
             }
             super.findContact(a, b, motion, out);
-        }
-
-        // Finds the contact of a body's deepest point. Returns whether it separates the two: a little before the end of its push the point is still under the
-        // ground, and a little after it the body is free.
-        private function findPushOfDeepestPoint(a:Body, b:Body, out:ContactPoint):Boolean
-        {
-            var tolerance:Number = depthToleranceOf(a, b);
-            if (!queryOf(a, b).penetration.findDeepestPoint(tolerance, out))
-            {
-                return false;
-            }
-            var length:Number = out.depth + tolerance / 4;
-            _push.startX = length * out.normalX;
-            _push.startY = length * out.normalY;
-            _push.startZ = length * out.normalZ;
-            return !touchesAtBeginning(a, b, _push);
         }
 
         /** @inheritDoc */

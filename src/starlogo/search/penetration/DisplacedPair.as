@@ -27,6 +27,9 @@ package starlogo.search.penetration
      */
     public final class DisplacedPair
     {
+        /** How far before and behind a depth the first body is tried, as a share of the tolerance. The rest of the tolerance is for rounding. */
+        public static const PROBE_SHARE:Number = 1 / 4;
+
         // The least opening, as a fraction of the largest extent.
         private static const MIN_OPENING:Number = 100 * Tolerances.SEPARATION;
 
@@ -81,12 +84,11 @@ package starlogo.search.penetration
         }
 
         /**
-         * How far before and behind a depth the first body is tried: a quarter of the tolerance, and at least the gap of rounding. The rest of the
-         * tolerance is for rounding.
+         * How far before and behind a depth the first body is tried: a share of the tolerance, and at least the gap of rounding.
          */
         public function get probeDistance():Number
         {
-            return tolerance / 4;
+            return PROBE_SHARE * tolerance;
         }
 
         /**

@@ -1,0 +1,74 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.geometry.HalfSpaceSolver;
+
+    /** Planes of the ground that a model is pushed out of: the shortest push out of all of them. */
+    internal final class GroundPlanes
+    {
+        // The most planes. Three are the sides of a corner; others only separate.
+        private static const CAPACITY:int = 6;
+
+        /** The planes, and one or two that are still tried. Read only, but for these. */
+        public var exits:Vector.<GroundExit> = new Vector.<GroundExit>(CAPACITY + 2, true);
+
+        /** How many planes there are. Read only. */
+        public var count:int = 0;
+
+        /** The shortest push out of them. Read only. */
+        public var push:HalfSpaceSolver = new HalfSpaceSolver();
+
+        /** Where the model is tried: a little farther than the push leads. Read only. */
+        public var displacement:Vector3D = new Vector3D();
+
+        public function GroundPlanes()
+        {
+            for (var i:int = 0; i < exits.length; i++)
+            {
+                exits[i] = new GroundExit();
+            }
+        }
+
+        /** Begins without planes. */
+        public function clear():void
+        {
+            push.clear();
+            count = 0;
+            displacement.x = displacement.y = displacement.z = 0;
+        }
+
+        /** The plane that is still tried. */
+        public function get next():GroundExit
+        {
+            return exits[count];
+        }
+
+        /** Whether there may be another plane. */
+        public function get hasRoom():Boolean
+        {
+            return count < CAPACITY;
+        }
+
+        /** Adds the plane that is tried. */
+        public function add():void
+        {
+            var plane:GroundExit = exits[count];
+            push.add(plane.normal.x, plane.normal.y, plane.normal.z, plane.depth);
+            count++;
+        }
+
+        /** Finds the push, and where the model is tried. Returns whether there is a push. */
+        public function solve(farther:Number):Boolean
+        {
+            if (!(push.solve() && push.distance > 0))
+            {
+                return false;
+            }
+            var scale:Number = 1 + farther / push.distance;
+            displacement.x = scale * push.displacement.x;
+            displacement.y = scale * push.displacement.y;
+            displacement.z = scale * push.displacement.z;
+            return true;
+        }
+    }
+}

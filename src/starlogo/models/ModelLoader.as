@@ -60,7 +60,7 @@ package starlogo.models
      */
     public class ModelLoader extends EventDispatcher
     {
-        // Loaders that have work listen to it. It is static, so such loaders are not garbage-collected.
+        /** @private Loaders that have work listen to it. It is static, so such loaders are not garbage-collected. */
         internal static var sFrames:Shape = new Shape();
 
         /**
@@ -232,7 +232,7 @@ package starlogo.models
             }
         }
 
-        /** Cancels one load, if it is not over. For the promises of the ES module. */
+        /** @private Cancels one load, if it is not over. For the promises of the ES module. */
         internal function drop(load:ModelLoad):void
         {
             if (!remove(load))
@@ -251,13 +251,13 @@ package starlogo.models
             }
         }
 
-        /** Creates a loader for one file. Tests override it. */
+        /** @private Creates a loader for one file. Tests override it. */
         internal function newURLLoader():URLLoader
         {
             return new URLLoader();
         }
 
-        /** The time, in milliseconds. Tests override it. */
+        /** @private The time, in milliseconds. Tests override it. */
         internal function now():int
         {
             return getTimer();

@@ -58,7 +58,8 @@ package starlogo.queries
             {
                 if (!(names[i] is String))
                 {
-                    throw new ArgumentError("ofBreeds() takes names, not " + names[i]);
+                    throw new ArgumentError("ofBreeds() takes names, one after the other, not " + (typeof names[i] == "object" && names[i] != null ? "the list or object " : "")
+                            + names[i]);
                 }
             }
             var filter:AgentFilter = new AgentFilter();

@@ -3,7 +3,6 @@ package starlogo.models.loading
     import flash.utils.ByteArray;
     import starlogo.models.ModelTransform;
     import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.ModelData;
     import starlogo.models.collada.ColladaScene;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
@@ -36,7 +35,6 @@ package starlogo.models.loading
         public static function building(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelBuilder
         {
             var transform:ModelTransform = upAxis as ModelTransform;
-            ModelData.requireUpAxis(file.name, upAxis);
             if (file.bytes != null && CookedFile.isCookedFile(file.bytes))
             {
                 return CookedReader.building(file.name, file.bytes);

@@ -80,6 +80,7 @@ package starlogo.queries
         {
             warnOfBreeds(breeds, agents);
             warnOfBreeds(exceptBreeds, agents);
+            warnOfNoParameters(accepts);
         }
     }
 }

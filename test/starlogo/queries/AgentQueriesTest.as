@@ -334,15 +334,15 @@ package starlogo.queries
         {
             var filter:AgentFilter = new AgentFilter();
             filter.accepts = function():Boolean
-                {
-                    return true;
-                };
+            {
+                return true;
+            };
             // of no agent: Adobe's player cannot call it
             var queries:AgentQueries = new AgentQueries(new BinCollider());
             queries.update(new Vector.<Agent>());
             assertEquals(0, queries.countNearPoint(new Vector3D(), 1, filter));
             assertFalse(warn("accepts of a filter has no parameters. If it is function():Boolean, Adobe's player throws an ArgumentError when it is called, and "
-                    + "other players may not: write function(agent:Agent):Boolean. If it is function(...all):Boolean, nothing is wrong"));
+                        + "other players may not: write function(agent:Agent):Boolean. If it is function(...all):Boolean, nothing is wrong"));
         }
 
         [Test]

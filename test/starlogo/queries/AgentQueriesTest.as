@@ -11,7 +11,6 @@ package starlogo.queries
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.TightestFitCollider;
-    import starlogo.data.warn;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
     import support.EachCollider;
@@ -326,23 +325,6 @@ package starlogo.queries
             queries.update(new <Agent>[inside, other, around]);
             assertTrue(queries.canSee(inside, inside));
             assertFalse(queries.canSee(inside, other));
-        }
-
-        /** A warning that is said is not said again. */
-        [Test]
-        public function aFilterWithoutParametersIsTold():void
-        {
-            var filter:AgentFilter = new AgentFilter();
-            filter.accepts = function():Boolean
-            {
-                return true;
-            };
-            // of no agent: Adobe's player cannot call it
-            var queries:AgentQueries = new AgentQueries(new BinCollider());
-            queries.update(new Vector.<Agent>());
-            assertEquals(0, queries.countNearPoint(new Vector3D(), 1, filter));
-            assertFalse(warn("accepts of a filter has no parameters. If it is function():Boolean, Adobe's player throws an ArgumentError when it is called, and "
-                        + "other players may not: write function(agent:Agent):Boolean. If it is function(...all):Boolean, nothing is wrong"));
         }
 
         [Test]

@@ -78,29 +78,30 @@ package starlogo.queries
         [Test]
         public function roundFeetClimbHigherThanFlatOnes():void
         {
+            var options:WalkOptions = new WalkOptions();
             for each (var limits:Array in [[0.2, 45, 0.3], [0, 45, 1], [0.3, 30, 0.5], [0.25, 10, 0.3], [0.5, 60, 0.4]])
             {
-                _options.stepHeight = limits[0];
-                _options.slopeDegrees = limits[1];
+                options.stepHeight = limits[0];
+                options.slopeDegrees = limits[1];
                 var radius:Number = limits[2];
                 var over:Number = (1 - Math.cos(limits[1] * Math.PI / 180)) * radius;
                 var land:GreatLand = landOf(BuiltInModel.capsule(radius, 4 * radius, "round"), BuiltInModel.box(2 * radius, 2 * radius, 4 * radius, "flat"));
                 for each (var isOnBlocks:Boolean in [false, true])
                 {
                     // short walks may not come far enough onto the edge
-                    assertTrue("round " + limits, climbs(land, "round", limits[0] + over - 0.005, radius, isOnBlocks));
-                    assertTrue("flat " + limits, limits[0] == 0 || climbs(land, "flat", limits[0] - 1e-6, 0.1, isOnBlocks));
+                    assertTrue("round " + limits, climbs(land, options, "round", limits[0] + over - 0.005, radius, isOnBlocks));
+                    assertTrue("flat " + limits, limits[0] == 0 || climbs(land, options, "flat", limits[0] - 1e-6, 0.1, isOnBlocks));
                     for each (var stride:Number in [0.02, 0.1, radius])
                     {
-                        assertFalse("round " + limits, climbs(land, "round", limits[0] + over + 0.005, stride, isOnBlocks));
-                        assertFalse("flat " + limits, climbs(land, "flat", limits[0] + 0.005, stride, isOnBlocks));
+                        assertFalse("round " + limits, climbs(land, options, "round", limits[0] + over + 0.005, stride, isOnBlocks));
+                        assertFalse("flat " + limits, climbs(land, options, "flat", limits[0] + 0.005, stride, isOnBlocks));
                     }
                 }
             }
         }
 
         // Whether an agent that walks against a step of the ground, or of a box, comes upon it.
-        private function climbs(land:GreatLand, shape:String, height:Number, stride:Number, isOnBlocks:Boolean):Boolean
+        private function climbs(land:GreatLand, options:WalkOptions, shape:String, height:Number, stride:Number, isOnBlocks:Boolean):Boolean
         {
             var walker:Agent = agentAt(shape, 0, 0, 0);
             var terrain:Terrain = new Terrain(12, 5, 1, -2, -2);
@@ -123,7 +124,7 @@ package starlogo.queries
             queries.update(agents);
             for (var way:Number = 0; way < 4; way += stride)
             {
-                queries.walk(walker, stride, 0, _options, _footing);
+                queries.walk(walker, stride, 0, options, _footing);
             }
             return _footing.stands && walker.z > height - 0.001;
         }
@@ -249,7 +250,7 @@ package starlogo.queries
                 for each (var shape:String in WALKERS)
                 {
                     var message:String = name + ", " + shape;
-                    var walker:Agent = agentAt(shape, 0, 0, 0);
+                    var walker:Agent = walkerAt(shape, 0, 0, 0);
                     var fence:Agent = agentAt("cube", 1.2, 0, 0);
                     fence.size = 0.2;
                     var agents:Vector.<Agent> = new <Agent>[walker, fence];
@@ -287,7 +288,7 @@ package starlogo.queries
                 for each (var shape:String in WALKERS)
                 {
                     var message:String = name + ", " + shape;
-                    var walker:Agent = agentAt(shape, 0, 0, 0);
+                    var walker:Agent = walkerAt(shape, 0, 0, 0);
                     var fence:Agent = agentAt("cube", 1.2, 0, 0);
                     fence.size = 0.2;
                     var enemy:Agent = agentAt("cube", 3, 0, 0, "enemies");
@@ -392,7 +393,7 @@ package starlogo.queries
             {
                 for each (var shape:String in WALKERS)
                 {
-                    var walker:Agent = agentAt(shape, 0, 0, 0);
+                    var walker:Agent = walkerAt(shape, 0, 0, 0);
                     var agents:Vector.<Agent> = new <Agent>[walker];
                     addTiles(agents, -2, 1, flat);
                     addTiles(agents, 2, 6, deep);

@@ -22,6 +22,7 @@ export const EXTERNALS = {
 	"starlogo.data.textOf": "$textOf",
 	"starlogo.data.warn": "$warn",
 	"starlogo.agents.warnOfBreeds": "$warnOfBreeds",
+	"starlogo.queries.warnOfNoParameters": "$warnOfNoParameters",
 	"starlogo.queries.motion.warnOfInside": "$warnOfInside",
 	"starlogo.data.warnOfUnknownProperties": "$warnOfUnknownProperties",
 	"starlogo.handlers.mayTakeContact": "mayTakeContact",

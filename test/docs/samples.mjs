@@ -220,3 +220,20 @@ export function withPagesNamed(said) {
 		return `${page}:${Number(first) + number - at - 2}`;
 	});
 }
+
+/**
+ * The classes of the engine and of Flash that a page's samples in ActionScript name and have not imported, as "docs/a.md:12: a.b.C". A
+ * reader copies the samples in their order. Samples that are whole classes have packages of their own.
+ */
+export function missingImports({ file, fences }) {
+	const simple = (name) => name.split('.').pop();
+	const known = [...sourcesBelow('src/starlogo').map(definitionIn), ...FLASH].filter((name) => name.includes('.'));
+	const imported = new Set();
+	return fences.filter(({ language, text }) => language === 'actionscript' && !isWhole(text)).flatMap(({ line, text }) => {
+		for (const [, name] of text.matchAll(/^import ([\w.]+);$/gm)) imported.add(simple(name));
+		const words = new Set(codeOf(text.replace(/^import .*$/gm, '')).match(/\b[A-Z]\w*/g));
+		const missing = known.filter((name) => words.has(simple(name)) && !imported.has(simple(name)));
+		missing.forEach((name) => imported.add(simple(name)));
+		return missing.map((name) => `${file}:${line}: ${name}`);
+	});
+}

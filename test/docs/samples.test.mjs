@@ -6,7 +6,7 @@ import path from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { read, root } from '../structure/sources.mjs';
-import { fencesIn, listingsIn, moduleOf, pages, preludeOf, testClasses, withPagesNamed } from './samples.mjs';
+import { fencesIn, listingsIn, missingImports, moduleOf, pages, preludeOf, testClasses, withPagesNamed } from './samples.mjs';
 
 const folder = path.join(root, 'bin/generated/docs-js');
 const page = (...samples) => ({
@@ -46,6 +46,11 @@ for (const each of inJavaScript.filter(({ file }) => wanted.length === 0 || want
 		run(each);
 	});
 }
+
+test('the samples in ActionScript of a page import the classes that they name', () => {
+	assert.deepEqual(missingImports(page('var a:Agent;', 'var b:Agent = new Box();')), ['a.md:1: starlogo.agents.Agent', 'a.md:11: starlogo.bounding.Box']);
+	assert.deepEqual(pages().filter(({ file }) => file.endsWith('.md')).flatMap(missingImports), []);
+});
 
 /** A page's samples as a program in TypeScript. What its prelude has is of any type, but for what three.js has types of. */
 function typed({ slug, fences }) {

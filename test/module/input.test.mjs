@@ -1058,7 +1058,7 @@ test("a listener's options are checked before it is added, and what ends it ends
 test("a model with wrong options is not fetched", async (context) => {
 	const fetched = context.mock.method(globalThis, "fetch", async () => new Response("v 0 0 0"));
 	for (const options of [{ scaling: "as_given" }, { upAxis: "Y" }]) {
-		await assert.rejects(new ModelLoader(new GreatLand()).loadAsync("model", "http://localhost/model.obj", options), /^ModelError: model "model": the (?:scaling|up axis) must be/);
+		await assert.rejects(new ModelLoader(new GreatLand()).loadAsync("model", "http://localhost/model.obj", options), /^ArgumentError: model "model": the (?:scaling|up axis) must be/);
 	}
 	await assert.rejects(new ModelLoader(new GreatLand()).loadAsync("model", "http://localhost/model.obj", { signal: {} }), /ModelLoader.loadAsync: options.signal must be an AbortSignal/);
 	assert.equal(fetched.mock.callCount(), 0);

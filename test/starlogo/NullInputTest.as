@@ -1,17 +1,14 @@
 package starlogo
 {
-    import flash.events.ErrorEvent;
-    import flash.events.Event;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
-    import org.flexunit.asserts.assertTrue;
-    import org.flexunit.async.Async;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.ColladaAnimations;
     import starlogo.models.ColladaModel;
     import starlogo.models.ModelLoader;
     import starlogo.models.ObjModel;
     import support.Failures;
+    import support.assertThrows;
     import support.create;
 
     /** Tests null as a name, a file or an address. JavaScript refuses it where the engine is called. */
@@ -34,21 +31,19 @@ package starlogo
             Failures.assertFails("", "there is nothing to read", ColladaModel.fromBytes, "a", null);
         }
 
-        [Test(async, timeout="150000")]
-        public function anAddressIsNone():void
+        [Test]
+        public function aLoaderHasNothingToLoad():void
         {
-            var said:Array = [];
-            var loader:ModelLoader = new ModelLoader(new GreatLand());
-            loader.addEventListener(ErrorEvent.ERROR, function(event:ErrorEvent):void
-                {
-                    said.push(event.text);
-                });
-            loader.load("nowhere", null);
-            Async.handleEvent(this, loader, Event.COMPLETE, function(event:Event, data:Object):void
-                {
-                    assertEquals(1, said.length);
-                    assertTrue(said[0], said[0].indexOf("model \"nowhere\": there is no address") == 0);
-                }, 120000);
+            var greatLand:GreatLand = new GreatLand();
+            var loader:ModelLoader = new ModelLoader(greatLand);
+            for each (var load:Function in [loader.load, loader.loadBytes, loader.loadText])
+            {
+                assertThrows(ArgumentError, 'model "nothing": there is nothing to load', load, "nothing", null);
+            }
+            assertThrows(ArgumentError, 'model "nothing": there is nothing to load', loader.load, "nothing", "");
+            assertThrows(ArgumentError, "needs a name", loader.loadText, null, "v 0 0 0");
+            assertEquals(0, loader.pendingCount);
+            assertFalse(greatLand.isLoading("nothing"));
         }
     }
 }

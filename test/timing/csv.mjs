@@ -1,5 +1,5 @@
 const COLUMNS = ['figure', 'subject', 'variant', 'value', 'unit', 'low', 'high', 'samples', 'multiple', 'multipleLow',
-	'multipleHigh', 'beside', 'thesis', 'refused', 'vertices', 'tightest', 'agents', 'collisions', 'agrees'];
+	'multipleHigh', 'beside', 'thesis', 'refused', 'vertices', 'tightest', 'agents', 'collisions', 'agrees', 'busy'];
 
 /** The entries as comma-separated values (RFC 4180), a head line first. */
 export function csv(entries) {

@@ -2,8 +2,9 @@ import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
 import { countLeftOut, repeats } from './console.mjs';
 import { FIGURES, MARK, MEDIANS, bySubject, castOf, faster, fasterWithRange, isSure, measured, noteOf, tablesOf } from './figures.mjs';
-import { ratio } from './format.mjs';
+import { percent, ratio } from './format.mjs';
 import { loadText, wasDisturbed } from './machine.mjs';
+import { TOLERANCE } from './statistics.mjs';
 
 const library = new URL('../../node_modules/chart.js/dist/chart.umd.min.js', import.meta.url);
 const own = (name) => readFile(new URL(name, import.meta.url), 'utf8');
@@ -37,7 +38,7 @@ export async function page(report, clone = '../..') {
 <li><span style="background: var(--thesis)"></span><b>thesis, 2015</b>: its own numbers, from another machine and player</li>
 </ul>
 <p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
-${wasDisturbed(report) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores))}</p>` : ''}
+${wasDisturbed(report) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores) + busyText(report))}</p>` : ''}
 ${report.isComplete === false ? '<p class="warning">The run ended early. The report has what was measured before.</p>' : ''}
 ${leftOut(report.entries)}
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${mark(value)}</dd></div>`).join('')}</dl>
@@ -49,7 +50,7 @@ ${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 <p>Times are ${MEDIANS} “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines, and only if both were free.</p>
 <p id="left-out">Noisy: half of the range of the time, or of the multiple, is more than 30 % of its median, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
-cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.
+differ by more than ${percent(TOLERANCE)} from what the others say, because another program took the processor in a part of the run or in one of the runs. Both happen less on a machine that does nothing else.
 ${MARK}</p>
 ${again(report)}
 ${(report.runs ?? []).map((run) => `<p>${escape(runText(run))}</p>`).join('\n')}
@@ -68,8 +69,10 @@ ${draw}</script>
 const THESIS = 'Divya Bajekal, “Improved Collision Detection in StarLogo Nova”, thesis, Massachusetts Institute of Technology, Cambridge (Massachusetts), 2015.';
 
 /** How a report is cited. */
-export function citation({ created, machine, versions }) {
-	return `“Collision engine: timing report”, starlogo-collision ${versions.engine} (commit ${versions.commit}), ${created.slice(0, 10)}, in ${versions.player} on ${machine.processor}.`;
+export function citation(report) {
+	const { created, machine, versions } = report;
+	const others = wasDisturbed(report) ? ', while other programs ran' : '';
+	return `“Collision engine: timing report”, starlogo-collision ${versions.engine} (commit ${versions.commit}), ${created.slice(0, 10)}, in ${versions.player} on ${machine.processor}${others}.`;
 }
 
 /** What a run measured, and how often, in words. */
@@ -87,6 +90,12 @@ export function runText({ created, settings, load }) {
 /** How many of a report's entries are not of its last run, in words. */
 export function earlierText({ earlierEntries, entries }) {
 	return `${earlierEntries} of the ${entries.length} entries are of earlier runs of the same commit on this machine; the load is the greatest of all runs.`;
+}
+
+/** How many entries were measured while the machine was busy, in words; an empty text if none or all were. */
+export function busyText({ entries }) {
+	const count = entries.filter(({ busy }) => busy).length;
+	return count === 0 || count === entries.length ? '' : ` This is so of ${count} of the ${entries.length} entries.`;
 }
 
 /** How fast the ES module was, in words. */
@@ -162,7 +171,8 @@ function tiles({ entries, exponents }) {
 	const fits = models.filter((fit) => faster(fit.engine, fit.literal)).sort((a, b) => faster(a.engine, a.literal) - faster(b.engine, b.literal));
 	if (fits.length > 0) {
 		const [least, most] = [fits[0], fits.at(-1)].map((fit) => ratio(faster(fit.engine, fit.literal)));
-		found.push(compared(fits[fits.length >> 1], `the thesis's search for the tightest fit (median of ${fits.length} of ${models.length} models, from ${least} to ${most})`));
+		const which = fits.length > 1 ? `median of ${fits.length} of ${models.length} models, from ${least} to ${most}` : 'of one model';
+		found.push(compared(fits[fits.length >> 1], `the thesis's search for the tightest fit (${which})`));
 	}
 	const bears = Object.fromEntries(bySubject(of('crowds')))['100 bears'];
 	if (isSure(bears?.TightestFitCollider)) {

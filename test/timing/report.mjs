@@ -19,8 +19,8 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { differing, growth, MARK, MEDIANS } from './figures.mjs';
-import { greatestLoad, load, loadText, machine, versions, wasBusy, wasDisturbed } from './machine.mjs';
-import { earlierText, moduleText, page, runText } from './page.mjs';
+import { greatestLoad, isBusy, load, loadText, machine, versions, wasBusy, wasDisturbed } from './machine.mjs';
+import { busyText, earlierText, moduleText, page, runText } from './page.mjs';
 import { olderReportOrEnd } from './older.mjs';
 import { changes, key, merged, withoutContradictions } from './statistics.mjs';
 
@@ -43,13 +43,13 @@ const measured = {
 	versions: { ...versions(results.player), ...(beside && { beside: beside.player }) },
 };
 const own = withoutContradictions(results.entries);
-const taken = beside ? addBeside(own, withoutContradictions(beside.entries)) : own;
+const ownLoad = { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() };
+const taken = withLoad(beside ? addBeside(own, withoutContradictions(beside.entries)) : own);
 const earlier = existsSync(file('report.json')) ? JSON.parse(await readFile(file('report.json'), 'utf8')) : undefined;
 const isContinued = earlier !== undefined && areOfOne(earlier, measured);
 const entries = isContinued ? merged(earlier.entries, taken) : taken;
-const kept = entries.filter((entry) => !taken.includes(entry));
-const better = kept.filter((entry) => taken.some((own) => key(own) === key(entry))).length;
-const ownLoad = { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() };
+const kept = isContinued ? entries.filter((entry) => earlier.entries.includes(entry)) : [];
+const better = kept.filter((entry) => !entry.refused && taken.some((own) => key(own) === key(entry))).length;
 const run = { created: began.toISOString(), settings: results.settings, load: ownLoad };
 const report = {
 	schema: 1,
@@ -68,20 +68,21 @@ await writeFile(file('report.json'), JSON.stringify(report, null, 1) + '\n');
 await writeFile(file('report.csv'), csv(report.entries));
 await writeFile(file('report.html'), await page(report, path.relative(folder, fileURLToPath(new URL('../..', import.meta.url)))));
 const state = { wasDisturbed: wasDisturbed(report), isComplete: report.isComplete };
-await writeFile(file('timing.txt'), tables(report.entries, state) + '\n');
+const told = loadText(report.load, report.machine.cores);
+await writeFile(file('timing.txt'), `${told}${busyText(report)}\n\n${tables(report.entries, state)}\n`);
 console.log(`\n${tables(taken, state)}\n`);
 console.log(`Taken in ${report.versions.player}${beside ? `; the columns and rows named JIT in ${beside.player}` : ''}.`);
 if (report.module) console.log(moduleText(report.module));
 console.log(`Times and multiples are ${MEDIANS} ${MARK}`);
 if (run.settings) console.log(runText(run));
-console.log(loadText(report.load, report.machine.cores));
+console.log(told + busyText(report));
 if (older) {
 	const date = older.created.slice(0, 16).replace('T', ' ');
 	console.log('\n' + (wasBusy(older) || wasBusy(report) ? `Nothing is compared with the report of ${date}: in ${wasBusy(older) ? 'its' : 'this'} run more programs ran than the machine has cores.`
 		: comparison(changes(older.entries, report.entries), date)));
 }
 if (report.earlierEntries) console.log(`${earlierText(report)} All tables are in ${file('timing.txt')}.`);
-if (better > 0) console.log(`Of ${better} entries that were measured again the report keeps the earlier numbers, because the new ones were left out or are of one sample.`);
+if (better > 0) console.log(`Of ${better} entries that were measured again the report keeps the earlier numbers: the new ones are left out, of one sample, of a busy machine, noisier or contradict the report.`);
 const again = repeats(entries, report.versions.commit, report.sources);
 if (again) console.log('\n' + again);
 console.log(`\nThe report: ${file('report.html')}`);
@@ -94,6 +95,11 @@ for (const run of [results, beside, module].filter(Boolean)) {
 if (results.isComplete === false) {
 	console.error(`The run ended early. The report has the ${taken.length} entries that it had measured.`);
 	process.exitCode = 1;
+}
+
+/** The entries of this run, marked if the machine was busy. */
+function withLoad(found) {
+	return isBusy(ownLoad, measured.machine.cores) ? found.map((entry) => ({ ...entry, busy: true })) : found;
 }
 
 /** Whether two runs may share a report: what they measured is the same, and the commit says all of it. */

@@ -13,7 +13,7 @@ import { differing, FIGURES, growth, agentsAt25Frames, shownIn } from './figures
 import { greatestLoad, loadText, versions, wasBusy } from './machine.mjs';
 import { percent, quoted, ratio, significant, time } from './format.mjs';
 import { olderReport } from './older.mjs';
-import { moduleText, page, runText } from './page.mjs';
+import { busyText, moduleText, page, runText } from './page.mjs';
 import { changes, exponent, merged, withoutContradictions } from './statistics.mjs';
 
 const timed = (figure, subject, variant, value, more = {}) => ({
@@ -189,12 +189,15 @@ test('times and multiples that contradict others are refused', () => {
 	});
 	assert.deepEqual(refused(row(0.0121, 22, 'engine'), row(0.0239, 43, 'literal')), []);
 	// the literal algorithm's turn was in a busy moment, so its sphere-sphere test took three times as long as usual
-	assert.deepEqual(refused(row(0.0121, 22, 'engine'), row(0.0239, 13, 'literal')), ['capsuleCapsule engine', 'capsuleCapsule literal']);
-	// each is not unusual, but 3.2 times as long by the times and 2.0 times by the multiples
-	assert.deepEqual(refused(row(0.01, 22, 'engine, all hit'), row(0.032, 46, 'literal, all hit')), ['capsuleCapsule engine, all hit', 'capsuleCapsule literal, all hit']);
-	assert.deepEqual(refused(row(0.01, 22, 'BinCollider', '10 mix', 'crowds'), row(0.032, 46, 'BinCollider, literal', '10 mix', 'crowds')),
+	assert.deepEqual(refused(row(0.0121, 22, 'engine'), row(0.0239, 13, 'literal')), ['capsuleCapsule literal']);
+	// 393 ns and 1.36 µs are 3.5 times as long, and not 2.8
+	assert.deepEqual(refused(row(0.00136, 0.00136 / 0.00055 / 1.14, 'engine', 'sphereBox')), []);
+	assert.deepEqual(refused(row(0.00136, 0.00136 / 0.00055 / 1.24, 'engine', 'sphereBox')), ['sphereBox engine']);
+	// each is not unusual, but 2.6 times as long by the times and 2.1 times by the multiples
+	assert.deepEqual(refused(row(0.0108, 22, 'engine, all hit'), row(0.0276, 46, 'literal, all hit')), ['capsuleCapsule engine, all hit', 'capsuleCapsule literal, all hit']);
+	assert.deepEqual(refused(row(0.0108, 22, 'BinCollider', '10 mix', 'crowds'), row(0.0276, 46, 'BinCollider, literal', '10 mix', 'crowds')),
 		['10 mix BinCollider', '10 mix BinCollider, literal']);
-	assert.deepEqual(refused(row(0.01, 22, 'engine, vertices', 'bear', 'hierarchies'), row(0.032, 46, 'literal', 'bear', 'hierarchies')),
+	assert.deepEqual(refused(row(0.0108, 22, 'engine, vertices', 'bear', 'hierarchies'), row(0.0276, 46, 'literal', 'bear', 'hierarchies')),
 		['bear engine, vertices', 'bear literal']);
 });
 
@@ -204,6 +207,10 @@ test('a busy run is compared with none, and says so under its title', async () =
 	const at = (load) => page({ created: '2026-01-02T03:04:05Z', machine: { cores: 2 }, load, versions: {}, exponents: [], entries });
 	assert.match(await at({ start: 0.2, end: 12 }), /<p class="warning">Load of the machine: 0\.2 before the run, 12 after it/);
 	assert.doesNotMatch(await at({ start: 0.2, end: 1.1 }), /class="warning"/);
+	assert.match(await at({ start: 0.2, end: 12 }), /To cite this report: [^<]*, while other programs ran\./);
+	const busy = entries.map((entry, i) => (i < 3 ? { ...entry, busy: true } : entry));
+	assert.equal(busyText({ entries: busy }), ` This is so of 3 of the ${entries.length} entries.`);
+	assert.equal(busyText({ entries }), '');
 });
 
 test('what -Dcompare names must be a report, and the run does not begin without', (t) => {
@@ -398,6 +405,35 @@ test('a number that is left out does not take the place of one that is not', () 
 	// collisions that are wrong now are told, whatever the time
 	const wrong = { ...refused, agrees: false };
 	assert.deepEqual(merged([{ ...accepted, agrees: true }], [wrong]), [wrong]);
+});
+
+test('a worse number does not take the place of a better one', () => {
+	const [accepted] = entries;
+	const wide = { ...accepted, low: accepted.value * 0.9, samples: 11 };
+	const narrow = { ...accepted, low: accepted.value * 0.97, value: accepted.value * 1.01 };
+	assert.deepEqual(merged([accepted], [wide]), [accepted]);
+	assert.deepEqual(merged([wide], [accepted]), [accepted]);
+	assert.deepEqual(merged([accepted], [narrow]), [narrow]);
+	const busy = { ...narrow, busy: true };
+	assert.deepEqual(merged([accepted], [busy]), [accepted]);
+	assert.deepEqual(merged([busy], [wide]), [wide]);
+	const once = { ...narrow, samples: 1 };
+	assert.deepEqual(merged([{ ...busy, samples: 5 }], [once]), [{ ...busy, samples: 5 }]);
+});
+
+test('a report of several runs does not contradict itself', () => {
+	const row = (subject, variant, value, multiple) => timed('tests', subject, variant, value, { multiple, multipleLow: multiple * 0.98, multipleHigh: multiple * 1.02 });
+	const others = ['a', 'b', 'c', 'd', 'e'].map((name, i) => row(name, 'engine', 0.0004 * (i + 1), i + 1));
+	const engine = row('capsuleCapsule', 'engine', 0.00268, 7.16);
+	const literal = row('capsuleCapsule', 'literal', 0.0048, 12);
+	const later = row('capsuleCapsule', 'literal', 0.0056, 6.22);
+	// the later number has as narrow a range, and was taken while the machine was slower
+	assert.deepEqual(merged([...others, engine, literal], [later]), [...others, engine, literal]);
+	const refusedBefore = { ...literal, value: null, multiple: null, refused: 'noisy' };
+	const found = merged([...others, engine, refusedBefore], [later]).filter(({ refused }) => refused);
+	assert.deepEqual(found.map(({ variant, refused }) => [variant, refused]), [['literal', 'contradictory']]);
+	const wrong = { ...later, agrees: false };
+	assert.equal(merged([...others, engine, literal], [wrong]).at(-1).agrees, false);
 });
 
 test('of the BinCollider\'s crowds of one size those that took longer than the fastest are left out', () => {

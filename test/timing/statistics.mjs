@@ -48,29 +48,33 @@ function areApart(one, other) {
 }
 
 const CONTRADICTORY = 'contradictory';
-// By so much of it a sphere-sphere test may differ from the usual one of its run.
-const UNUSUAL = 0.3;
+/** By so much of it two numbers that should be the same may differ: runs and turns drift. */
+export const TOLERANCE = 0.15;
 
 /**
- * The entries without the numbers that contradict others: something else took the processor in a part of the run. A time and its multiple
- * tell how long the sphere-sphere test took beside it. If that is unusual, the entry has no number. If the times of an engine and
- * its literal algorithm have another ratio than their multiples, neither has. The BinCollider does the same in all crowds of as many agents,
- * so of these those have no number that took longer than the fastest.
+ * The entries without the numbers that contradict others: something else took the processor in a part of the run, or in one of the runs of
+ * a report. A time and its multiple tell how long the sphere-sphere test took beside it. If that is not the usual time, the entry has no
+ * number. If the times of an engine and its literal algorithm still have another ratio than their multiples, neither has. The BinCollider
+ * does the same in all crowds of as many agents, so of these those have no number that took longer than the fastest.
  *
- * @param {object[]} entries of a run
+ * @param {object[]} entries of a run or of a report
  */
 export function withoutContradictions(entries) {
+	const bad = contradictory(entries);
+	return entries.map((entry) => (bad.has(entry) ? { ...entry, value: null, multiple: null, refused: CONTRADICTORY } : entry));
+}
+
+function contradictory(entries) {
 	const timed = entries.filter((entry) => entry.value && entry.multiple);
-	const spheres = timed.map((entry) => entry.value / entry.multiple).sort((a, b) => a - b);
+	const sphereTest = (entry) => entry.value / entry.multiple;
+	const spheres = timed.map(sphereTest).sort((a, b) => a - b);
 	const usual = spheres[spheres.length >> 1];
-	const bad = new Set(timed.filter((entry) => {
-		const [low, high] = quotient([entry.low, entry.high], rangeOf(entry));
-		return low > usual * (1 + UNUSUAL) || high < usual * (1 - UNUSUAL);
-	}));
-	const byKey = new Map(timed.map((entry) => [key(entry), entry]));
-	for (const literal of timed) {
+	const bad = new Set(timed.filter((entry) => differ(sphereTest(entry), usual)));
+	const usualOnes = timed.filter((entry) => !bad.has(entry));
+	const byKey = new Map(usualOnes.map((entry) => [key(entry), entry]));
+	for (const literal of usualOnes) {
 		const ours = literal.variant.includes('literal') ? byKey.get(key({ ...literal, variant: engineOf(literal) })) : undefined;
-		if (ours && areApart(quotient([literal.low, literal.high], [ours.low, ours.high]), quotient(rangeOf(literal), rangeOf(ours)))) {
+		if (ours && differ(sphereTest(literal), sphereTest(ours))) {
 			bad.add(literal).add(ours);
 		}
 	}
@@ -80,10 +84,10 @@ export function withoutContradictions(entries) {
 			bad.add(crowd);
 		}
 	}
-	return entries.map((entry) => (bad.has(entry) ? { ...entry, value: null, multiple: null, refused: CONTRADICTORY } : entry));
+	return bad;
 }
 
-const quotient = ([low, high], [otherLow, otherHigh]) => [low / otherHigh, high / otherLow];
+const differ = (one, other) => Math.max(one, other) > Math.min(one, other) * (1 + TOLERANCE);
 
 /** The variant beside which a literal one stands. */
 function engineOf({ figure, variant }) {
@@ -94,20 +98,36 @@ function engineOf({ figure, variant }) {
 const worth = (entry) => (entry.refused ? 0 : entry.multiple === null ? 1 : 2);
 
 /**
- * A report's entries with those of a later run in their places. One sample does not take the place of more. What is left out does not take
- * the place of what is not, unless a test of all pairs says otherwise of its collisions than before.
+ * A report's entries with those of a later run in their places. A worse number does not take the place of a better one, nor one with which
+ * the report would contradict itself, unless a test of all pairs says otherwise of its collisions than before. Numbers that still
+ * contradict one another are left out.
  *
  * @param {object[]} older entries of the report
  * @param {object[]} newer entries of the run
  */
 export function merged(older, newer) {
+	const before = new Map(older.map((entry) => [key(entry), entry]));
+	const isNeeded = (entry) => !before.has(key(entry)) || before.get(key(entry)).agrees !== entry.agrees;
+	const better = newer.filter((entry) => isNeeded(entry) || !isWorse(entry, before.get(key(entry))));
+	const bad = contradictory(replaced(older, better));
+	return withoutContradictions(replaced(older, better.filter((entry) => isNeeded(entry) || before.get(key(entry)).refused || !bad.has(entry))));
+}
+
+function replaced(older, newer) {
 	const later = new Map(newer.map((entry) => [key(entry), entry]));
 	const kept = new Set(older.map(key));
-	const latest = (entry) => {
-		const found = later.get(key(entry));
-		if (!found) return entry;
-		const isWorse = worth(found) < worth(entry) || found.samples === 1 && entry.samples > 1;
-		return isWorse && found.agrees === entry.agrees ? entry : found;
-	};
-	return [...older.map(latest), ...newer.filter((entry) => !kept.has(key(entry)))];
+	return [...older.map((entry) => later.get(key(entry)) ?? entry), ...newer.filter((entry) => !kept.has(key(entry)))];
+}
+
+/** Whether a number is worth less than an earlier one of the same: left out, of one sample, of a busy machine, or much noisier. */
+function isWorse(entry, earlier) {
+	if (worth(entry) !== worth(earlier)) return worth(entry) < worth(earlier);
+	if ((entry.samples === 1) !== (earlier.samples === 1)) return entry.samples === 1;
+	if (Boolean(entry.busy) !== Boolean(earlier.busy)) return Boolean(entry.busy);
+	return noise(entry) > 2 * noise(earlier);
+}
+
+/** The wider of the ranges of a time and of its multiple, as a part of it. */
+function noise({ value, low, high, multiple, multipleLow, multipleHigh }) {
+	return Math.max(value ? (high - low) / value : 0, multiple ? (multipleHigh - multipleLow) / multiple : 0);
 }

@@ -126,7 +126,7 @@ package starlogo.agents
          *
          * @param shape the name of its model; the colliders' GreatLand must have it
          * @param breed the name of its breed, the group that handlers name; without it, the breed is "turtles"
-         * @throws ArgumentError if either is null or empty, or if the breed is one of the reserved names "*", "*terrain" and "*edge"
+         * @throws ArgumentError if either is null or empty, or if the breed is reserved: <code>Collision.ANY_BREED</code>, <code>TERRAIN</code> and <code>EDGE</code>
          */
         public function Agent(shape:String, breed:String = "turtles")
         {

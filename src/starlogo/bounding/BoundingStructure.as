@@ -371,7 +371,7 @@ package starlogo.bounding
             }
         }
 
-        /** Checks the ends of an axis and the radius around it, as the methods above do. The last argument is the structure's name in the messages. */
+        /** @private Checks the ends of an axis and the radius around it, as the methods above do. The last argument is the structure's name in the messages. */
         internal static function checkAxis(start:Vector3D, end:Vector3D, radius:Number, what:String):void
         {
             checkLength(radius, "the radius of " + what);

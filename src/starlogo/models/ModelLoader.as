@@ -9,7 +9,9 @@ package starlogo.models
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import starlogo.data.requireGiven;
+    import starlogo.models.building.ModelData;
     import starlogo.models.files.ModelFile;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.models.loading.CookedManifest;
     import starlogo.models.loading.ModelLoad;
 
@@ -60,7 +62,7 @@ package starlogo.models
      */
     public class ModelLoader extends EventDispatcher
     {
-        // Loaders that have work listen to it. It is static, so such loaders are not garbage-collected.
+        /** @private Loaders that have work listen to it. It is static, so such loaders are not garbage-collected. */
         internal static var sFrames:Shape = new Shape();
 
         /**
@@ -165,17 +167,19 @@ package starlogo.models
         }
 
         /**
-         * Loads a model from a file. A failure is sent as an ErrorEvent.
+         * Loads a model from a file. If the file is missing or no model, an ErrorEvent is sent. An error of the arguments is thrown at once, and
+         * changes nothing.
          *
          * @param name what agents call the shape
          * @param url the file's address: OBJ, glTF, STL, COLLADA or cooked
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
+         * @throws ArgumentError if the name is null or empty, if the address is null or empty, or if the axis or the scaling is none of these
          */
         public function load(name:String, url:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             // the default of scaling is written out, because compilers may come to this class before they know the constants of Model
-            add(name, upAxis, scaling).fetch(url, usesTransforms, _manifest);
+            add(name, url || null, upAxis, scaling).fetch(url, usesTransforms, _manifest);
         }
 
         /**
@@ -185,10 +189,11 @@ package starlogo.models
          * @param bytes the whole file: OBJ, glTF, STL, COLLADA or cooked; do not change it until the model is loaded
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
+         * @throws ArgumentError if the name is null or empty, if the bytes are null, or if the axis or the scaling is none of these
          */
         public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).addReadSteps(new ModelFile(name, bytes));
+            add(name, bytes, upAxis, scaling).addReadSteps(new ModelFile(name, bytes));
         }
 
         /**
@@ -198,22 +203,23 @@ package starlogo.models
          * @param text OBJ, glTF, STL or COLLADA
          * @param upAxis the axis that points up in OBJ or STL text: "x", "y" or "z"; or, for any text, a ModelTransform
          * @param scaling as for <code>Model</code>
+         * @throws ArgumentError if the name is null or empty, if the text is null, or if the axis or the scaling is none of these
          */
         public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).addReadSteps(new ModelFile(name, null, text));
+            add(name, text, upAxis, scaling).addReadSteps(new ModelFile(name, null, text));
         }
 
         /**
          * Loads a model that a class of your own makes.
          *
          * @param maker none of its steps is done yet; each step should take a few milliseconds at most
-         * @throws ArgumentError if the maker is null
+         * @throws ArgumentError if the maker is null, or its name is null or empty
          */
         public function loadFrom(maker:ModelMaker):void
         {
             requireGiven("the maker of the model", maker);
-            add(maker.name).addMakeSteps(maker);
+            add(maker.name, maker).addMakeSteps(maker);
         }
 
         /**
@@ -232,7 +238,7 @@ package starlogo.models
             }
         }
 
-        /** Cancels one load, if it is not over. For the promises of the ES module. */
+        /** @private Cancels one load, if it is not over. For the promises of the ES module. */
         internal function drop(load:ModelLoad):void
         {
             if (!remove(load))
@@ -251,25 +257,42 @@ package starlogo.models
             }
         }
 
-        /** Creates a loader for one file. Tests override it. */
+        /** @private Creates a loader for one file. Tests override it. */
         internal function newURLLoader():URLLoader
         {
             return new URLLoader();
         }
 
-        /** The time, in milliseconds. Tests override it. */
+        /** @private The time, in milliseconds. Tests override it. */
         internal function now():int
         {
             return getTimer();
         }
 
-        private function add(name:String, upAxis:Object = "z", scaling:String = "footprint"):ModelLoad
+        private function add(name:String, source:Object, upAxis:Object = "z", scaling:String = "footprint"):ModelLoad
         {
+            requireArguments(name, source, upAxis, scaling);
             var added:ModelLoad = new ModelLoad(name, upAxis, scaling, _receiver, newURLLoader);
             _receiver.expect(name);
             _loads.push(added);
             sFrames.addEventListener(Event.ENTER_FRAME, onFrame);
             return added;
+        }
+
+        // A mistake of the program is refused at once. Those of files are told by events.
+        private static function requireArguments(name:String, source:Object, upAxis:Object, scaling:String):void
+        {
+            try
+            {
+                refuseModelIf(!name, name, "a model needs a name that is not empty");
+                refuseModelIf(source == null, name, "there is nothing to load: the argument after the name is null, or an empty address");
+                ModelData.requireUpAxis(name, upAxis);
+                ModelData.requireScaling(name, scaling);
+            }
+            catch (problem:ModelError)
+            {
+                throw new ArgumentError(problem.message);
+            }
         }
 
         // Says that no work is left.

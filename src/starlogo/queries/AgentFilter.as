@@ -58,7 +58,8 @@ package starlogo.queries
             {
                 if (!(names[i] is String))
                 {
-                    throw new ArgumentError("ofBreeds() takes names, not " + names[i]);
+                    throw new ArgumentError("ofBreeds() takes names, one after the other, not " + (typeof names[i] == "object" && names[i] != null ? "the list or object " : "")
+                            + names[i]);
                 }
             }
             var filter:AgentFilter = new AgentFilter();
@@ -79,6 +80,7 @@ package starlogo.queries
         {
             warnOfBreeds(breeds, agents);
             warnOfBreeds(exceptBreeds, agents);
+            warnOfNoParameters(accepts);
         }
     }
 }

@@ -28,7 +28,9 @@ package starlogo.queries
         }
 
         /**
-         * The greatest height of a step that it climbs, in patches. 0.25 at first; 0 for none.
+         * The greatest height of a step that it climbs, in patches. 0.25 at first; 0 for none. A box keeps to it exactly. A round foot, such as
+         * a capsule's, goes over an edge as up a slope, so it climbs up to (1 - cos <code>slopeDegrees</code>) of its radius more. For a strict
+         * limit take a box, or less of <code>slopeDegrees</code>.
          *
          * @throws RangeError if it is negative, above 1e9 or not a number
          */

@@ -126,7 +126,7 @@ package starlogo.search
         }
 
         /**
-         * Keeps a row's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
+         * @private Keeps a row's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
          *
          * @param breeds by row: the number of its breed. A breed that is in no pair has no partners but those of ANY_BREED
          * @param others the candidates, which are rows

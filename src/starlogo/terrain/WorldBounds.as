@@ -54,8 +54,8 @@ package starlogo.terrain
             {
                 if (!(edges[i] <= edges[i + 1] && edges[i] < Infinity && edges[i + 1] > -Infinity))
                 {
-                    throw new RangeError("the least " + "xyz".charAt(i / 2) + " of the world must not be greater than the greatest, nor Infinity: "
-                            + edges[i] + ", " + edges[i + 1]);
+                    var rule:String = isNaN(edges[i] + edges[i + 1]) ? " of the world must be numbers, not " : " of the world must have a place between them, not ";
+                    throw new RangeError("the least and the greatest " + "xyz".charAt(i / 2) + rule + edges[i] + " and " + edges[i + 1]);
                 }
                 requireInWorld("the edges of the world", isFinite(edges[i]) ? edges[i] : 0, isFinite(edges[i + 1]) ? edges[i + 1] : 0, 0);
             }

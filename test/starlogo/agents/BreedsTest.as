@@ -120,7 +120,8 @@ package starlogo.agents
         [Test]
         public function filtersTakeNamesAlone():void
         {
-            assertThrows(ArgumentError, /takes names, not cats,dogs$/, AgentFilter.ofBreeds, ["cats", "dogs"]);
+            assertThrows(ArgumentError, /takes names, one after the other, not the list or object cats,dogs$/, AgentFilter.ofBreeds, ["cats", "dogs"]);
+            assertThrows(ArgumentError, /not the list or object cats$/, AgentFilter.ofBreeds, new <String>["cats"]);
             assertThrows(ArgumentError, /not 5$/, AgentFilter.ofBreeds, "cats", 5);
             assertThrows(ArgumentError, /not null$/, AgentFilter.ofBreeds, null);
             assertEquals(0, AgentFilter.ofBreeds().breeds.length);

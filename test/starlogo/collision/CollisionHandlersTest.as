@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
     import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -10,6 +11,7 @@ package starlogo.collision
     import starlogo.data.warn;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
+    import starlogo.queries.AgentQueries;
     import starlogo.terrain.WorldBounds;
     import support.OwnVectorSystem;
     import support.assertThrows;
@@ -84,6 +86,22 @@ package starlogo.collision
             assertFalse(warn("the handler for \"bears\" and \"nets\" has no parameters. If it is function():void, Adobe's player throws an "
                         + "ArgumentError when it is called, and other players may not: write function(collider:Agent, collidee:Agent):void. "
                         + "If it is function(...all):void, nothing is wrong"));
+        }
+
+        [Test]
+        public function aFilterWithoutParametersIsTold():void
+        {
+            var filter:AgentFilter = new AgentFilter();
+            filter.accepts = function():Boolean
+            {
+                return true;
+            };
+            // of no agent: Adobe's player cannot call it
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            queries.update(new Vector.<Agent>());
+            assertEquals(0, queries.countNearPoint(new Vector3D(), 1, filter));
+            assertFalse(warn("accepts of a filter has no parameters. If it is function():Boolean, Adobe's player throws an ArgumentError when it is called, and "
+                        + "other players may not: write function(agent:Agent):Boolean. If it is function(...all):Boolean, nothing is wrong"));
         }
 
         // A warning that is said is not said again.

@@ -344,13 +344,13 @@ package starlogo.collision
         [Test]
         public function whatIsRefusedChangesNothing():void
         {
-            assertThrows(RangeError, /NaN/, create, WorldBounds, NaN, 0, 0, 1, 1, 1);
-            assertThrows(RangeError, /least y.*2, 1/, create, WorldBounds, 0, 2, 0, 1, 1, 1);
-            assertThrows(RangeError, /least x.*Infinity, Infinity/, create, WorldBounds, Infinity, 0, 0, Infinity, 1, 1);
-            assertThrows(RangeError, /least z.*-Infinity, -Infinity/, create, WorldBounds, 0, 0, -Infinity, 1, 1, -Infinity);
+            assertThrows(RangeError, /least and the greatest x of the world must be numbers, not NaN and 1$/, create, WorldBounds, NaN, 0, 0, 1, 1, 1);
+            assertThrows(RangeError, /greatest y of the world must have a place between them, not 2 and 1$/, create, WorldBounds, 0, 2, 0, 1, 1, 1);
+            assertThrows(RangeError, /greatest x .*not Infinity and Infinity$/, create, WorldBounds, Infinity, 0, 0, Infinity, 1, 1);
+            assertThrows(RangeError, /greatest z .*not -Infinity and -Infinity$/, create, WorldBounds, 0, 0, -Infinity, 1, 1, -Infinity);
             assertThrows(RangeError, /edges of the world must be a finite number between -1000000000 and 1000000000, not 2000000000/, create, WorldBounds, 0, 0, 0, 1, 2e9, 1);
             var bounds:WorldBounds = new WorldBounds(-1, -2, -3, 1, 2, Infinity);
-            assertThrows(RangeError, /least z.*NaN/, bounds.setTo, 0, 0, 0, 1, 1, NaN);
+            assertThrows(RangeError, /greatest z .*numbers, not 0 and NaN$/, bounds.setTo, 0, 0, 0, 1, 1, NaN);
             assertEquals("-1,-2,-3,1,2,Infinity", [bounds.minX, bounds.minY, bounds.minZ, bounds.maxX, bounds.maxY, bounds.maxZ].join());
             var collision:Collision = new Collision(new BinCollider());
             assertThrows(ArgumentError, /agents\[0\].*edges of the world/, collision.update, new <Agent>[bounds.agent]);

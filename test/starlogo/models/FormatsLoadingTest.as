@@ -10,6 +10,7 @@ package starlogo.models
     import support.Collada;
     import support.Gltf;
     import support.SlowReceiver;
+    import support.assertThrows;
     import support.encoded;
     import support.whenComplete;
 
@@ -70,36 +71,18 @@ package starlogo.models
         }
 
         /** A scaling in the place of the axis would otherwise be ignored where a file names its own axis. */
-        [Test(async, timeout="150000")]
-        public function aWrongUpAxisIsRefusedInEachFormat():void
+        [Test]
+        public function aWrongUpAxisOrScalingIsRefusedAtOnce():void
         {
-            var texts:Array = [OBJ, STL, DOCUMENT, Gltf.tetrahedron().toText()];
-            for each (var text:String in texts)
+            for each (var text:String in [OBJ, STL, DOCUMENT, Gltf.tetrahedron().toText()])
             {
-                _loader.loadText("a", text, Model.AS_GIVEN);
+                assertThrows(ArgumentError, /"a": the up axis must be .* not "as given": a scaling is the argument after it/, _loader.loadText, "a", text, Model.AS_GIVEN);
             }
-            whenComplete(this, _loader, function():void
-                {
-                    assertEquals(texts.length, _log.length);
-                    for each (var line:String in _log)
-                    {
-                        assertTrue(line, /the up axis must be .* not "as given": a scaling is the argument after it/.test(line));
-                    }
-                });
-        }
-
-        [Test(async, timeout="150000")]
-        public function aWrongUpAxisOrScalingIsRefusedBeforeItsFileIsFetched():void
-        {
-            _loader.load("a", "a.obj", "up");
-            _loader.load("b", "b.dae", "z", "huge");
-            whenComplete(this, _loader, function():void
-                {
-                    assertEquals(0, _loader.fetches.length);
-                    assertEquals(2, _log.length);
-                    assertTrue(_log[0], _log[0].indexOf('model "a": the up axis must be') == 0);
-                    assertTrue(_log[1], _log[1].indexOf('model "b": the scaling must be') == 0);
-                });
+            assertThrows(ArgumentError, 'model "a": the up axis must be', _loader.load, "a", "a.obj", "up");
+            assertThrows(ArgumentError, 'model "b": the scaling must be', _loader.load, "b", "b.dae", "z", "huge");
+            assertThrows(ArgumentError, 'model "b": the up axis must be', _loader.loadBytes, "b", new ByteArray(), 7);
+            assertEquals(0, _loader.pendingCount);
+            assertEquals(0, _loader.fetches.length);
         }
 
         [Test(async, timeout="150000")]

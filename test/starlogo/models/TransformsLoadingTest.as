@@ -5,7 +5,6 @@ package starlogo.models
     import flash.events.IOErrorEvent;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
     import support.RecordingURLLoader;
     import support.SlowReceiver;
@@ -96,16 +95,12 @@ package starlogo.models
         }
 
         [Test(async, timeout="150000")]
-        public function scalingsThatAreNoneAreErrors():void
+        public function aTransformMovesWhatIsGiven():void
         {
-            _loader.loadText("a", OBJ, "z", "huge");
-            _loader.loadText("b", OBJ, 7);
             _loader.loadText("c", OBJ, new ModelTransform(null, null, new Vector3D(1, 0, 0)), Model.AS_GIVEN);
             Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
                 {
-                    assertTrue(_log[0], _log[0].indexOf('model "a": the scaling must be') == 0);
-                    assertTrue(_log[1], _log[1].indexOf('model "b": the up axis must be') == 0);
-                    assertEquals("c 1,0,0,3,0,0,1,4,0,1,0,8", _log[2]);
+                    assertEquals("c 1,0,0,3,0,0,1,4,0,1,0,8", _log.join());
                 }, 120000);
         }
 

@@ -8,6 +8,7 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ModelLoader;
     import starlogo.terrain.Terrain;
@@ -71,6 +72,61 @@ package starlogo.queries
                     }
                 }
             }
+        }
+
+        /** A round foot slides over an edge by up to (1 - cos slopeDegrees) of its radius, as on any slope. A flat one keeps to the step. */
+        [Test]
+        public function roundFeetClimbHigherThanFlatOnes():void
+        {
+            var options:WalkOptions = new WalkOptions();
+            for each (var limits:Array in [[0.2, 45, 0.3], [0, 45, 1], [0.3, 30, 0.5], [0.25, 10, 0.3], [0.5, 60, 0.4]])
+            {
+                options.stepHeight = limits[0];
+                options.slopeDegrees = limits[1];
+                var radius:Number = limits[2];
+                var over:Number = (1 - Math.cos(limits[1] * Math.PI / 180)) * radius;
+                var land:GreatLand = landOf(BuiltInModel.capsule(radius, 4 * radius, "round"), BuiltInModel.box(2 * radius, 2 * radius, 4 * radius, "flat"));
+                for each (var isOnBlocks:Boolean in [false, true])
+                {
+                    // short walks may not come far enough onto the edge
+                    assertTrue("round " + limits, climbs(land, options, "round", limits[0] + over - 0.005, radius, isOnBlocks));
+                    assertTrue("flat " + limits, limits[0] == 0 || climbs(land, options, "flat", limits[0] - 1e-6, 0.1, isOnBlocks));
+                    for each (var stride:Number in [0.02, 0.1, radius])
+                    {
+                        assertFalse("round " + limits, climbs(land, options, "round", limits[0] + over + 0.005, stride, isOnBlocks));
+                        assertFalse("flat " + limits, climbs(land, options, "flat", limits[0] + 0.005, stride, isOnBlocks));
+                    }
+                }
+            }
+        }
+
+        // Whether an agent that walks against a step of the ground, or of a box, comes upon it.
+        private function climbs(land:GreatLand, options:WalkOptions, shape:String, height:Number, stride:Number, isOnBlocks:Boolean):Boolean
+        {
+            var walker:Agent = agentAt(shape, 0, 0, 0);
+            var terrain:Terrain = new Terrain(12, 5, 1, -2, -2);
+            var agents:Vector.<Agent> = new <Agent>[walker];
+            terrain.isBlocky = true;
+            if (isOnBlocks)
+            {
+                fillHeights(terrain, function(column:int, row:int):Number
+                    {
+                        return column >= 4 ? height : 0;
+                    });
+            }
+            else
+            {
+                land.addModel(BuiltInModel.box(4, 4, height, "step"));
+                agents.push(agentAt("step", 3.5, 0, 0));
+            }
+            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(land));
+            queries.terrain = terrain;
+            queries.update(agents);
+            for (var way:Number = 0; way < 4; way += stride)
+            {
+                queries.walk(walker, stride, 0, options, _footing);
+            }
+            return _footing.stands && walker.z > height - 0.001;
         }
 
         [Test]

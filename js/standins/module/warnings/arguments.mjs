@@ -74,6 +74,10 @@ export function $warnOfAccepts(accepts) {
 	}
 }
 
+/** Says nothing: in JavaScript a function takes any number of arguments. */
+export function $warnOfNoParameters() {
+}
+
 /** Warns of a length that is given to a built-in model that is one unit wide. */
 export function $warnOfLength(name, given) {
 	if (given.length > 0) $warn(`BuiltInModel.${name}() takes no arguments: it is one unit wide, and agent.size is its width in patches`);

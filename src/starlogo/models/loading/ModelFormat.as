@@ -2,7 +2,6 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.collada.ColladaScene;
     import starlogo.models.cooked.CookedFile;
@@ -35,7 +34,6 @@ package starlogo.models.loading
         public static function readerOf(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
             var transform:ModelTransform = upAxis as ModelTransform;
-            ModelData.requireUpAxis(file.name, upAxis);
             if (file.bytes != null && CookedFile.isCookedFile(file.bytes))
             {
                 return new CookedReader(file.name, file.bytes);

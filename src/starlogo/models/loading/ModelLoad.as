@@ -6,7 +6,6 @@ package starlogo.models.loading
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.ModelData;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.files.FileUrl;
@@ -106,22 +105,6 @@ package starlogo.models.loading
          */
         public function fetch(url:String, usesTransforms:Boolean, manifest:CookedManifest):void
         {
-            try
-            {
-                ModelData.requireUpAxis(name, _upAxis);
-                ModelData.requireScaling(name, _scaling);
-                refuseModelIf(!url, name, "there is no address to fetch its file from");
-            }
-            catch (problem:ModelError)
-            {
-                // Nothing is fetched, and the load fails as it does for a wrong file. Flash has no catch variable after its block.
-                var refusal:ModelError = problem;
-                call(function():void
-                    {
-                        throw refusal;
-                    });
-                return;
-            }
             var hasFolder:Boolean = FileUrl.hasFolder(url);
             var transformUrl:String = usesTransforms && hasFolder && !(_upAxis is ModelTransform) ? FileUrl.siblingOf(url, ".slb") : null;
             if (manifest == null || !hasFolder)

@@ -82,7 +82,7 @@ package starlogo.queries.motion
          */
         public function plan(agent:Agent, dx:Number, dy:Number, options:WalkOptions):WalkState
         {
-            var walk:WalkState = WalkState(_walkPool.top);
+            var walk:WalkState = WalkState(_walkPool.current);
             begin(agent, dx, dy, options, walk);
             pushOut(walk);
             walkSubsteps(walk);

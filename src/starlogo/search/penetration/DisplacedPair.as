@@ -135,7 +135,7 @@ package starlogo.search.penetration
         public function finish(out:ContactPoint):void
         {
             putBack();
-            OverlapMiddle.movePoint(first, second, out);
+            OverlapMiddle.moveToMiddle(first, second, out);
             OverlapMiddle.keepWithin(first, out);
             OverlapMiddle.keepWithin(second, out);
         }

@@ -61,14 +61,14 @@ package starlogo.collision
             _callCount = 0;
             _tracker = tracker;
             var starting:IntList = tracker.beginFrame(pairs, _table);
-            if (_table.all.contactPhases != 0)
+            if (_table.contactPhases != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.begin();
                 findContacts(starting);
             }
             tracker.endLostTouches();
-            callAll((_table.all.phases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null, errors);
+            callAll((_table.phases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null, errors);
             return _callCount;
         }
 
@@ -84,7 +84,7 @@ package starlogo.collision
         // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
         private function findContacts(starting:IntList):void
         {
-            var chosen:IntList = (_table.all.contactPhases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null;
+            var chosen:IntList = (_table.contactPhases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {

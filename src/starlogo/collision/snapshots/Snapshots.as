@@ -223,8 +223,8 @@ package starlogo.collision.snapshots
                 }
                 bytes.writeInt(table.listed.listIndices[table.listed.rowOf(touch.first)]);
                 bytes.writeInt(second);
-                bytes.writeInt(names.ofBreed(touch.firstBreed));
-                bytes.writeInt(names.ofBreed(touch.secondBreed));
+                bytes.writeInt(names.numberOf(Breeds.NAMES.nameOf(touch.firstBreed)));
+                bytes.writeInt(names.numberOf(Breeds.NAMES.nameOf(touch.secondBreed)));
                 bytes.writeBoolean(touch.hasReachedSecond);
             }
             return formerEnvironment;

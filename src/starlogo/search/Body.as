@@ -148,7 +148,7 @@ package starlogo.search
         {
             if (shape.tree != null)
             {
-                shape.setTree(shape.tree);
+                shape.followPose();
                 findExtents();
             }
         }

@@ -50,6 +50,7 @@ package starlogo.queries.motion
         private var _platforms:PlatformCarry;
         private var _floorFinder:FloorFinder;
 
+        // A push or the motion of a substep, within one call.
         private var _motion:Vector3D = new Vector3D();
 
         // The contact of the deepest overlap.

@@ -107,7 +107,7 @@ package starlogo.search.penetration
          * @param motion as in setTo
          * @param out a contact near here; receives the depth 0 if they do not touch. Then its normal points against the motion, unless the two touch
          *     if the first one moves a little against the given normal
-         * @return whether they do not touch
+         * @return whether there is such a contact: they do not touch
          */
         public function findGrazing(motion:RelativeMotion, out:ContactPoint):Boolean
         {

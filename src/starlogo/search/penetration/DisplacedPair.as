@@ -101,8 +101,8 @@ package starlogo.search.penetration
         }
 
         /**
-         * Finds the contact of two bodies that do not touch at the time of the motion in <code>setTo()</code>. Only a first body that moves may have been stopped just before
-         * the touch, because of rounding.
+         * Finds the contact of two bodies that do not touch at the time of the motion in <code>setTo()</code>. Because of rounding, a first body that moves
+         * may have been stopped just before the touch.
          *
          * @param motion as in setTo
          * @param out a contact near here; receives the depth 0 if they do not touch. Then its normal points against the motion, unless the two touch

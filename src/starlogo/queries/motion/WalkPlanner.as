@@ -123,7 +123,7 @@ package starlogo.queries.motion
             var body:MovingBody = walk.body;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
             var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + maxSlideDepth(walk) / 2 + walk.carry.length + distance;
-            range += maxFloorDistanceAmong(walk, _near.largestExtentFor(body));
+            range += maxFloorDistanceAmong(walk, _near.extentBoundFor(body));
             _near.findWithin(body, range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
             walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtentAmong(body.rows));
         }

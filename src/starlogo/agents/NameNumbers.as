@@ -35,12 +35,6 @@ package starlogo.agents
                 return number;
             }
             _order.splice(countBefore(name), 0, _names.length);
-            return append(name);
-        }
-
-        /** Adds a name without looking for it, and returns its number. The methods that look for a name do not find it, so it is not sorted in. */
-        public function append(name:String):int
-        {
             return _names.push(name) - 1;
         }
 

@@ -49,8 +49,8 @@ package starlogo.collision
         }
 
         /**
-         * @private The same if it finds the same pairs as this one, so that snapshots and questions can use it; or else null, as for a system of the
-         * game's own around a collider.
+         * @private The engine's collider that finds just the pairs of this system, so that snapshots and questions can use it. It is null for a system
+         * of the game's own, also for one around a collider.
          */
         engine function get samePairsCollider():Collider
         {

@@ -299,7 +299,7 @@ package starlogo.collision
             var collider:Collider = engineCollider("restore");
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
-            _snapshots.read(bytes, agents, collider.search, ground, edges, _frames.lastFrame);
+            _snapshots.restore(bytes, agents, collider.search, ground, edges, _frames.lastFrame);
             collider.contactSearch = collider.search;
         }
 

@@ -23,16 +23,18 @@ package starlogo.collision
             }
         }
 
-        /** Whether both agents of a pair are in the list. The ground and the edges of the world always are; they come second in a pair. */
+        /**
+         * Whether both agents of a pair are still in the list. An agent that is missing once stays away for the rest of the frame. The ground and the
+         * edges of the world are always there. They come second in a pair.
+         */
         public function hasBoth(pairs:FoundPairs, pair:int):Boolean
         {
             var second:int = pairs.rows[2 * pair + 1];
             return findIndex(pairs.listed, pairs.rows[2 * pair]) >= 0 && (second < ListedAgents.FIRST_LISTED || findIndex(pairs.listed, second) >= 0);
         }
 
-        // Finds the index of a row's agent, and notes it. Once the agent was missing, it stays away for the rest of the frame. An agent that is back
-        // before it is looked for was never missing. When agents are removed, others move towards the start of the list, so an agent is looked for there
-        // first.
+        // Finds the index of a row's agent, and notes it. When agents are removed, others move towards the start of the list, so an agent is looked for
+        // there first. An agent that is back before it is looked for was never missing.
         private function findIndex(listed:ListedAgents, row:int):int
         {
             var agent:Agent = listed.agentsByRow[row];

@@ -28,8 +28,8 @@ package starlogo.collision
         private var _system:BaseCollider = null;
         private var _tracker:TouchTracker = null;
 
-        // All handlers of the present pair or ended touch, the index of the next one, and the one that runs, or null. The calls of a pair begin at the
-        // index 0. If a handler throws, callAll comes back to the same pair, whose calls go on at the next index.
+        // All handlers of the present pair or ended touch, or null before its calls begin; the index of the next one; and the one that runs, or null. They
+        // stay until the last call, even if one changes a breed. If one throws, callAll comes back to the same pair, whose calls go on at the next index.
         private var _handlersOfPair:PairHandlers = null;
         private var _nextHandler:int;
         private var _running:CollisionHandler = null;
@@ -61,14 +61,14 @@ package starlogo.collision
             _callCount = 0;
             _tracker = tracker;
             var starting:IntList = tracker.beginFrame(pairs, _table);
-            if (_table.all.contactPhases != 0)
+            if (_table.contactPhases != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.begin();
                 findContacts(starting);
             }
             tracker.endLostTouches();
-            callAll((_table.all.phases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null, errors);
+            callAll((_table.phases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null, errors);
             return _callCount;
         }
 
@@ -84,7 +84,7 @@ package starlogo.collision
         // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
         private function findContacts(starting:IntList):void
         {
-            var chosen:IntList = (_table.all.contactPhases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null;
+            var chosen:IntList = (_table.contactPhases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
@@ -106,6 +106,7 @@ package starlogo.collision
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
             var end:int = endedCount + pairCount;
             var i:int = 0;
+            _handlersOfPair = null;
             _nextHandler = 0;
             while (i < end)
             {
@@ -121,6 +122,7 @@ package starlogo.collision
                         {
                             callForPair(chosen == null ? i - endedCount : chosen.values[i - endedCount]);
                         }
+                        _handlersOfPair = null;
                         _nextHandler = 0;
                     }
                 }
@@ -147,25 +149,16 @@ package starlogo.collision
 
         private function callForEnded(touch:Touch):void
         {
-            findHandlers(touch.firstBreed, touch.secondBreed);
+            _handlersOfPair ||= _table.handlersOf(touch.firstBreed, touch.secondBreed);
             var end:int = touch.hasReachedSecond ? _handlersOfPair.handlers.length : _handlersOfPair.splitIndex;
             callRemaining(NO_PAIR, touch.first, touch.second, CollisionHandler.END, end);
-        }
-
-        // Finds the handlers of a pair or ended touch when its calls begin. They stay until its last call, even if a handler changes a breed.
-        private function findHandlers(firstBreed:int, secondBreed:int):void
-        {
-            if (_nextHandler == 0)
-            {
-                _handlersOfPair = _table.handlersOf(firstBreed, secondBreed);
-            }
         }
 
         private function callForPair(pair:int):void
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            findHandlers(first.breedNumber, second.breedNumber);
+            _handlersOfPair ||= _table.handlersOf(first.breedNumber, second.breedNumber);
             var end:int = _handlersOfPair.handlers.length;
             if (!_handlersOfPair.tracksTouches)
             {

@@ -55,6 +55,12 @@ package starlogo.handlers
             takesContact = mayTakeContact(callback);
         }
 
+        /** The phase if the handler takes the contact of a touch; otherwise 0. A touch that has ended has none. */
+        public function get contactPhase():int
+        {
+            return takesContact ? phase & ~END : 0;
+        }
+
         /** The phase with a name; all phases for null. @throws ArgumentError if there is no such phase */
         public static function phasesNamed(name:String):int
         {

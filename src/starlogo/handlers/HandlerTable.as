@@ -24,10 +24,9 @@ package starlogo.handlers
         /** The pairs of breeds that have handlers. Each frame after a change of the handlers has another object. */
         public var interests:BreedInterests = new BreedInterests();
 
-        /** All handlers of the frame, with their phases. None counts as that of a second agent. */
-        public var all:PairHandlers = new PairHandlers(NONE, NONE);
-
-        private static const NONE:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+        /** The phases of all handlers of the frame, and of those that take contacts: sums as in PairHandlers. */
+        public var phases:int = 0;
+        public var contactPhases:int = 0;
 
         // By the numbers of two breeds: the index of their list. They have one if they have handlers, or if their agents have met since the handlers changed.
         private var _indices:IntPairMap = new IntPairMap();
@@ -77,7 +76,7 @@ package starlogo.handlers
                 list.clear();
             }
             interests = new BreedInterests();
-            all = new PairHandlers(NONE, NONE);
+            phases = contactPhases = 0;
             _revision++;
         }
 
@@ -100,17 +99,19 @@ package starlogo.handlers
             _lists.length = 0;
             _indices.clear();
             interests = new BreedInterests();
+            phases = contactPhases = 0;
             var newNames:Vector.<String> = new Vector.<String>();
             for each (var handler:CollisionHandler in handlers)
             {
                 listFor(handler.colliderBreed, handler.collideeBreed).add(handler);
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
+                phases |= handler.phase;
+                contactPhases |= handler.contactPhase;
                 if (handler.addedAt >= _frameRevision)
                 {
                     newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));
                 }
             }
-            all = new PairHandlers(handlers, NONE);
             warnOfMissingBreeds(newNames, agents, interests);
             _frameRevision = _revision;
         }

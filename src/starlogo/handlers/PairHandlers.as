@@ -1,7 +1,7 @@
 package starlogo.handlers
 {
     /**
-     * What a frame calls for a pair of breeds, or all handlers of a frame. First come the handlers whose collider is the first agent, then those
+     * What a frame calls for a pair of breeds. First come the handlers whose collider is the first agent, then those
      * whose collider is the second agent. In each half, handlers for starts come first, and handlers for ends come last.
      *
      * @private
@@ -31,7 +31,7 @@ package starlogo.handlers
             for each (var handler:CollisionHandler in handlers)
             {
                 phases |= handler.phase;
-                contactPhases |= handler.takesContact ? handler.phase & ~CollisionHandler.END : 0;
+                contactPhases |= handler.contactPhase;
             }
         }
 

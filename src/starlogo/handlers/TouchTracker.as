@@ -54,7 +54,7 @@ package starlogo.handlers
         public function beginFrame(pairs:FoundPairs, table:HandlerTable):IntList
         {
             _starting.count = 0;
-            if (count == 0 && !table.all.tracksTouches)
+            if (count == 0 && (table.phases & ~CollisionHandler.EVERY_FRAME) == 0)
             {
                 return _starting;
             }

@@ -179,7 +179,7 @@ package starlogo.queries
         private function begin(asker:Agent, x:Number, y:Number, z:Number, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
             requireNotNegative("radius", radius);
-            var search:NearSearch = NearSearch(_searchPool.top);
+            var search:NearSearch = NearSearch(_searchPool.current);
             return search.begin(_seen.beginCollecting(maxCount, SQUARE_ROUNDING * radius * radius, asker, filter), x, y, z);
         }
     }

@@ -162,7 +162,7 @@ package starlogo.queries
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
             _seen.requirePlaced(agent);
-            var body:Body = _seen.bodyOf(agent);
+            var body:Body = _seen.currentBodyOf(agent);
             if (body.shape == null)
             {
                 out.setTo(agent.x, agent.y, agent.z);
@@ -197,7 +197,7 @@ package starlogo.queries
         // Finds the hits of the ray: with the first surface of each row that it crosses, or with all of them.
         private function findHits(collector:Collector, allSurfaces:Boolean):RayHits
         {
-            var hits:RayHits = RayHits(_rayHitsPool.top);
+            var hits:RayHits = RayHits(_rayHitsPool.current);
             hits.begin(collector);
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {

@@ -160,7 +160,7 @@ package starlogo.queries
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            return MovingBody(_bodyPool.top);
+            return MovingBody(_bodyPool.current);
         }
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit

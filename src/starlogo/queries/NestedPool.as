@@ -36,7 +36,7 @@ package starlogo.queries
         }
 
         /** The object of the question that begins now. Its class is the type. */
-        public function get top():Object
+        public function get current():Object
         {
             var depth:int = _seen.callbackDepth;
             while (_objects.length <= depth)

@@ -193,7 +193,7 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function beginCollecting(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var collector:Collector = Collector(_collectorPool.top);
+            var collector:Collector = Collector(_collectorPool.current);
             return collector.begin(maxCount, limit, asker, filter);
         }
 
@@ -229,7 +229,7 @@ package starlogo.queries
          * @param spare becomes this body if the agent has changed since the last update. If it is null, the body is valid until the next call
          * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
          */
-        engine function bodyOf(agent:Agent, spare:Body = null):Body
+        engine function currentBodyOf(agent:Agent, spare:Body = null):Body
         {
             requireGiven("agent", agent);
             return table.currentBodyOf(agent, spare || _spare);
@@ -242,8 +242,8 @@ package starlogo.queries
          */
         engine function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
         {
-            // throws the error
-            bodyOf(agent);
+            // refuses an agent whose model is gone, before it moves
+            currentBodyOf(agent);
             agent.moveTo(at.x, at.y, at.z);
             if (turn != 0)
             {

@@ -51,21 +51,21 @@ package starlogo.queries
         /** See AgentQueries.touching. */
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return find(agent, _seen.bodyOf(agent), Collector.ALL, filter).endWithList(out);
+            return find(agent, _seen.currentBodyOf(agent), Collector.ALL, filter).endWithList(out);
         }
 
         /** See AgentQueries.touchesAny. */
         public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
         {
-            return find(agent, _seen.bodyOf(agent), 1, filter).end() > 0;
+            return find(agent, _seen.currentBodyOf(agent), 1, filter).end() > 0;
         }
 
         /** See AgentQueries.touchesEdge. */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
             requireGiven("bounds", bounds);
-            var body:Body = _seen.bodyOf(agent);
-            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _body));
+            var body:Body = _seen.currentBodyOf(agent);
+            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.currentBodyOf(bounds.agent, _body));
         }
 
         /** See AgentQueries.wouldTouchAt. */
@@ -74,7 +74,7 @@ package starlogo.queries
             _seen.requirePlaced(agent);
             requireInWorld("a place", x, y, z, agent);
             _point.center.setTo(x, y, z);
-            _body.copyFrom(_seen.bodyOf(agent));
+            _body.copyFrom(_seen.currentBodyOf(agent));
             _body.moveTo(_point.center);
             return find(agent, _body, 1, filter).end() > 0;
         }
@@ -105,7 +105,7 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            return measure(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _body) : _seen.table.bodyOf(rowB), pointA, pointB);
+            return measure(_seen.currentBodyOf(a), rowB < 0 ? _seen.currentBodyOf(b, _body) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
@@ -114,7 +114,7 @@ package starlogo.queries
             requireGiven("point", point);
             requireInWorld("a point", point.x, point.y, point.z);
             _point.center.setTo(point.x, point.y, point.z);
-            var distance:Number = measure(_seen.bodyOf(agent), _structureBody.setTo(_point), out, null);
+            var distance:Number = measure(_seen.currentBodyOf(agent), _structureBody.setTo(_point), out, null);
             if (distance == 0)
             {
                 // without the rounding of that point, which stands in the game's point if that is out too

@@ -86,7 +86,7 @@ package starlogo.search
                 _isPlaced = false;
                 return;
             }
-            takeShape(shape);
+            this.shape = shape;
             placement.copyRotation(shape.ignoresRotation ? Placement.IDENTITY : agent.freshPlacement());
             placement.size = size;
             findExtents();
@@ -148,7 +148,7 @@ package starlogo.search
         {
             if (shape.tree != null)
             {
-                shape.setTree(shape.tree);
+                shape.followPose();
                 findExtents();
             }
         }
@@ -273,11 +273,12 @@ package starlogo.search
             return orderKey > other.orderKey;
         }
 
-        /** Takes a shape. The extents and the rest stay. */
-        internal function takeShape(shape:ModelShape):void
+        /** Takes a shape, and half of the lengths of its extents, which come after their middle. The rest stays. */
+        internal function takeShape(shape:ModelShape, extents:Vector.<Number>):void
         {
-            _isPlaced = false;
             this.shape = shape;
+            takeHalves(extents);
+            _isPlaced = false;
         }
 
         // Finds the extents of the shape, turned and scaled as the placement says.
@@ -291,8 +292,7 @@ package starlogo.search
             _isPlaced = false;
         }
 
-        /** Takes half of the lengths of extents, which come after their middle. */
-        internal function takeHalves(extents:Vector.<Number>):void
+        private function takeHalves(extents:Vector.<Number>):void
         {
             halfX = extents[3];
             halfY = extents[4];

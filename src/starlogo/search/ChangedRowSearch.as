@@ -79,7 +79,7 @@ package starlogo.search
          *
          * @return false if too many have changed, so that all rows have to be searched
          */
-        public function tryFind(input:SearchInput):Boolean
+        public function tryFindRows(input:SearchInput):Boolean
         {
             if (!areFew(_table.changed.count + _table.listed.leftOrReordered.count + _motions.rowsToRetest.count))
             {

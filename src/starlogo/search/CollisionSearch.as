@@ -89,7 +89,7 @@ package starlogo.search
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            if (canUpdate && _changedRowSearch.tryFind(input))
+            if (canUpdate && _changedRowSearch.tryFindRows(input))
             {
                 findOfChanged(input);
             }

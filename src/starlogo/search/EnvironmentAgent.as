@@ -27,7 +27,7 @@ package starlogo.search
         /** @param breed Breeds.TERRAIN or Breeds.EDGE */
         public function EnvironmentAgent(breed:String)
         {
-            // the name without its asterisk
+            // its shape's name, which errors show, is that of the breed without the asterisk. The reserved breed itself is refused there
             super(breed.substr(1));
             breedNumber = Breeds.NAMES.numberOf(breed);
         }

@@ -130,8 +130,14 @@ package starlogo.search
         engine function setTree(tree:ModelTree):void
         {
             this.tree = tree;
-            structure = tree.root.bounds;
             kind = TREE;
+            followPose();
+        }
+
+        /** @private Takes the structure around the tree as the model's present pose has it. */
+        engine function followPose():void
+        {
+            structure = tree.root.bounds;
         }
     }
 }

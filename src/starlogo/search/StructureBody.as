@@ -50,8 +50,7 @@ package starlogo.search
             place.x = _extents[0];
             place.y = _extents[1];
             place.z = _extents[2];
-            _body.takeShape(shape);
-            _body.takeHalves(_extents);
+            _body.takeShape(shape, _extents);
             return _body;
         }
 

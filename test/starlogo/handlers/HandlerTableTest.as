@@ -54,7 +54,7 @@ package starlogo.handlers
         {
             add("bears", "trees", CollisionHandler.START, _functions[1]);
             beginFrame();
-            assertEquals(CollisionHandler.START, _table.all.contactPhases);
+            assertEquals(CollisionHandler.START, _table.contactPhases);
             remove("bears", "trees", CollisionHandler.START, _functions[1]);
             beginFrame();
             assertEquals(0, _present.length);
@@ -119,8 +119,8 @@ package starlogo.handlers
                 contactPhases |= one.callback == _functions[1] && one.phase != CollisionHandler.END ? one.phase : 0;
                 named[one.breed] = named[one.other] = true;
             }
-            assertEquals(phases, _table.all.phases);
-            assertEquals(contactPhases, _table.all.contactPhases);
+            assertEquals(phases, _table.phases);
+            assertEquals(contactPhases, _table.contactPhases);
             for each (var breed:String in BREEDS)
             {
                 // Ruffle returns null for a Boolean that a Vector has at first

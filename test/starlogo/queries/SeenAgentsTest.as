@@ -291,13 +291,13 @@ package starlogo.queries
             level.addModel(BuiltInModel.cube());
             seen.update(new <Agent>[box]);
             assertEquals(9, new AgentRays(seen).cast(new Vector3D(0, 0, 10), new Vector3D(0, 0, -1)).distance);
-            assertFalse(seen.bodyOf(box).shape.tree.isExactPrepared);
+            assertFalse(seen.currentBodyOf(box).shape.tree.isExactPrepared);
             assertEquals(0, new AgentRays(seen).cast(new Vector3D(0, 0, 0.5), new Vector3D(0, 0, -1)).distance);
-            assertTrue(seen.bodyOf(box).shape.tree.isExactPrepared);
+            assertTrue(seen.currentBodyOf(box).shape.tree.isExactPrepared);
             level.prepareExact = true;
             level.addModel(BuiltInModel.cube());
             seen.update(new <Agent>[box]);
-            assertTrue(seen.bodyOf(box).shape.tree.isExactPrepared);
+            assertTrue(seen.currentBodyOf(box).shape.tree.isExactPrepared);
         }
 
         [Test]

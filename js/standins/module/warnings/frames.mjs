@@ -126,7 +126,7 @@ function $warnOfBreed(breed, likely, agents) {
 export function $warnOfNewAgents(collision, agents) {
 	const kept = $getOrInsert($collisions, collision, $newCollision);
 	const newBreeds = new Set();
-	let lasts = (collision.$_handlers.all.phases & $LASTING) !== 0;
+	let lasts = (collision.$_handlers.phases & $LASTING) !== 0;
 	let greatest = -Infinity;
 	let others = 0;
 	let revisions = 0;

@@ -1,12 +1,7 @@
 package starlogo.collision.snapshots
 {
     import flash.utils.ByteArray;
-    import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.agents.NameNumbers;
-    import starlogo.engine;
-
-    use namespace engine;
 
     /**
      * The names of breeds and models in a snapshot. Other parts of the snapshot mention a name by its number here.
@@ -15,38 +10,38 @@ package starlogo.collision.snapshots
      */
     internal final class SnapshotNames
     {
+        // By number.
+        private var _names:Vector.<String> = new Vector.<String>();
+
+        // Those of the names that are written. What was read is only looked up by number.
         private var _numbers:NameNumbers = new NameNumbers(new Vector.<String>());
 
-        /** The number here of a breed's name. */
-        public function ofBreed(breed:int):int
+        /** The number of a name here. */
+        public function numberOf(name:String):int
         {
-            return _numbers.numberOf(Breeds.NAMES.nameOf(breed));
-        }
-
-        /** The number here of a model's name. */
-        public function ofModel(model:int):int
-        {
-            return _numbers.numberOf(Agent.MODEL_NAMES.nameOf(model));
+            var number:int = _numbers.numberOf(name);
+            _names[number] = name;
+            return number;
         }
 
         /** The name with a number. @throws RangeError if there is none */
         public function nameAt(number:uint):String
         {
-            if (number >= _numbers.count)
+            if (number >= _names.length)
             {
                 throw new RangeError("there is no name with the number " + number);
             }
-            return _numbers.nameOf(number);
+            return _names[number];
         }
 
         /** Writes the names. */
         public function write(bytes:ByteArray):void
         {
-            bytes.writeInt(_numbers.count);
-            for (var number:int = 0; number < _numbers.count; number++)
+            bytes.writeInt(_names.length);
+            for (var number:int = 0; number < _names.length; number++)
             {
                 var name:ByteArray = new ByteArray();
-                name.writeUTFBytes(_numbers.nameOf(number));
+                name.writeUTFBytes(_names[number]);
                 bytes.writeInt(name.length);
                 bytes.writeBytes(name);
             }
@@ -63,7 +58,7 @@ package starlogo.collision.snapshots
                     throw new RangeError("a name is empty");
                 }
                 // older versions wrote a breed's name that is a model's too once for each
-                _numbers.append(name);
+                _names.push(name);
             }
         }
     }

@@ -26,8 +26,8 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < agents.length; i++)
             {
                 var agent:Agent = agents[i];
-                bytes.writeInt(names.ofModel(agent.modelNumber));
-                bytes.writeInt(names.ofBreed(agent.breedNumber));
+                bytes.writeInt(names.numberOf(Agent.MODEL_NAMES.nameOf(agent.modelNumber)));
+                bytes.writeInt(names.numberOf(Breeds.NAMES.nameOf(agent.breedNumber)));
                 bytes.writeByte(int(agent.isSweeping) * SWEEPS + int(agent.isHierarchical) * HIERARCHICAL + int(agent.isOneWay) * ONE_WAY);
                 // ANY_KIND is -1
                 bytes.writeByte(agent.structureKind + 1);

@@ -114,7 +114,7 @@ package starlogo.collision.snapshots
          * @param frame becomes the frame of the snapshot
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, ground:EnvironmentAgent, edges:EnvironmentAgent,
+        public function restore(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, ground:EnvironmentAgent, edges:EnvironmentAgent,
                 frame:LastFrame):void
         {
             search.table.listed.propose(agents);
@@ -223,8 +223,8 @@ package starlogo.collision.snapshots
                 }
                 bytes.writeInt(table.listed.listIndices[table.listed.rowOf(touch.first)]);
                 bytes.writeInt(second);
-                bytes.writeInt(names.ofBreed(touch.firstBreed));
-                bytes.writeInt(names.ofBreed(touch.secondBreed));
+                bytes.writeInt(names.numberOf(Breeds.NAMES.nameOf(touch.firstBreed)));
+                bytes.writeInt(names.numberOf(Breeds.NAMES.nameOf(touch.secondBreed)));
                 bytes.writeBoolean(touch.hasReachedSecond);
             }
             return formerEnvironment;

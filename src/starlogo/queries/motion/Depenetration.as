@@ -182,7 +182,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.values[i];
                 var isOverlapped:Boolean = shrunk.touches(row, start);
-                if (isOverlapped && (shrunk.body.passesOneWayAt(row, start, _contact) || tryReplaceByPlane(row, start, planes, alsoShallow)))
+                if (isOverlapped && (shrunk.body.passesOneWayAt(row, start) || tryReplaceByPlane(row, start, planes, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -237,7 +237,7 @@ package starlogo.queries.motion
             var body:MovingBody = shrunk.body;
             var place:Vector3D = _touchingPlace;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(row, place) || body.passesOneWayAt(row, place, out) || (!shrunk.isFlat && shrunk.touches(row, _pushedPlace)))
+            if (!findTouchingPlace(row, place) || body.passesOneWayAt(row, place) || (!shrunk.isFlat && shrunk.touches(row, _pushedPlace)))
             {
                 return false;
             }

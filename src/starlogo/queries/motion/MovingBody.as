@@ -58,6 +58,9 @@ package starlogo.queries.motion
         private var _copy:Body = new Body();
         private var _structureBody:StructureBody = new StructureBody();
 
+        // Within passesOneWayAt().
+        private var _oneWayContact:ContactPoint = new ContactPoint();
+
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
         {
@@ -74,7 +77,7 @@ package starlogo.queries.motion
         {
             _seen.requirePlaced(agent);
             this.agent = agent;
-            _copy.copyFrom(_seen.bodyOf(agent));
+            _copy.copyFrom(_seen.currentBodyOf(agent));
             return setFullBody(_copy);
         }
 
@@ -220,19 +223,15 @@ package starlogo.queries.motion
             return contact.depth <= ShrunkBody.SHALLOW * extentWith(bodyOf(row));
         }
 
-        /**
-         * Whether the body goes on through a row that it touches at a place: the row is one-way, and the body does not rest on it.
-         *
-         * @param contact is overwritten
-         */
-        public function passesOneWayAt(row:int, place:Vector3D, contact:ContactPoint):Boolean
+        /** Whether the body goes on through a row that it touches at a place: the row is one-way, and the body does not rest on it. */
+        public function passesOneWayAt(row:int, place:Vector3D):Boolean
         {
             if (!isOneWay(row))
             {
                 return false;
             }
-            findContact(row, place, true, contact);
-            return !isShallow(row, contact) || passesOneWay(row, contact);
+            findContact(row, place, true, _oneWayContact);
+            return !isShallow(row, _oneWayContact) || passesOneWay(row, _oneWayContact);
         }
     }
 }

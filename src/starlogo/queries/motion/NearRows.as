@@ -48,7 +48,7 @@ package starlogo.queries.motion
         {
             if (searchAround(body))
             {
-                var largest:Number = largestExtentFor(body);
+                var largest:Number = extentBoundFor(body);
                 var reach:Number = range + maxSlop(body, range, largest);
                 if (ShrunkBody.SHALLOW * largest > body.extent)
                 {
@@ -71,8 +71,8 @@ package starlogo.queries.motion
             return ShrunkBody.slopOf(body.extent, largest, body.from, 2 * length + cell);
         }
 
-        /** No row has a larger extent, nor the body. It reads the ground too. */
-        public function largestExtentFor(body:MovingBody):Number
+        /** An upper bound of the extents of all rows and the body. It reads the ground too. */
+        public function extentBoundFor(body:MovingBody):Number
         {
             return Math.max(body.extent, _seen.treeOfExtents().maxExtent);
         }

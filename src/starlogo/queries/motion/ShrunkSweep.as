@@ -244,7 +244,7 @@ package starlogo.queries.motion
             var contact:ContactPoint = out.contact;
             setAlong(from, motion, 1, _end);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            sweepPast(row, isStart, contact);
+            sweepPast(row, _end, _relative, isStart, contact);
             if (_relative.time == RelativeMotion.NEVER)
             {
                 return false;
@@ -256,7 +256,7 @@ package starlogo.queries.motion
                 var beyond:Number = Math.min(1, out.time + shrunk.clearance / motion.length);
                 var rest:Number = 1 - beyond;
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                sweepPast(row, false, contact);
+                sweepPast(row, _end, _relative, false, contact);
                 if (_relative.time == RelativeMotion.NEVER)
                 {
                     return false;
@@ -273,25 +273,25 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds when and how the shrunk body first meets a row on a motion to _end, which receives the time. A sheet may be wholly under the ground at any
-        // time, and then it touches no surface.
-        private function sweepPast(row:int, isStart:Boolean, out:ContactPoint):void
+        // Finds when and how the shrunk body first meets a row on a motion that ends at a place, and receives the time. A sheet may be wholly under the ground
+        // at any time, and then it touches no surface.
+        private function sweepPast(row:int, end:Vector3D, motion:RelativeMotion, isStart:Boolean, out:ContactPoint):void
         {
-            var moved:Body = shrunk.moveTo(_end);
+            var moved:Body = shrunk.moveTo(end);
             var other:Body = shrunk.body.bodyOf(row);
-            if (!shrunk.isNear(moved, other, _relative))
+            if (!shrunk.isNear(moved, other, motion))
             {
-                _relative.time = RelativeMotion.NEVER;
+                motion.time = RelativeMotion.NEVER;
                 return;
             }
             var tests:PairTests = shrunk.body.testsWith(row);
             if (isStart || other.kind == ModelShape.GROUND)
             {
-                tests.findImpactOfSolids(moved, other, _relative, out);
+                tests.findImpactOfSolids(moved, other, motion, out);
             }
             else
             {
-                tests.findImpactOfSurfaces(moved, other, _relative, out);
+                tests.findImpactOfSurfaces(moved, other, motion, out);
             }
         }
     }

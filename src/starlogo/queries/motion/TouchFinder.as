@@ -49,6 +49,7 @@ package starlogo.queries.motion
          */
         public function findTouches(body:MovingBody):MotionResult
         {
+            // the first pass is without pushes out of all rows, so setEnd() takes none back
             _sweepOfAll.pushes.clear();
             if (addTouches(body, body.from))
             {
@@ -97,9 +98,9 @@ package starlogo.queries.motion
                     _results.push(new MotionResult());
                 }
                 var touch:MotionResult = _results[count];
-                findTouch(body, start, body.rows.values[i], touch);
+                var isPushed:Boolean = findTouch(body, start, body.rows.values[i], touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= compareVectors(_sweepOfRow.start, start) != 0 || (touch.fraction == 0 && !touch.startsPenetrating);
+                mayPush ||= isPushed || (touch.fraction == 0 && !touch.startsPenetrating);
                 if (touch.hasContact)
                 {
                     _touches.add(count, touch.fraction);
@@ -109,8 +110,8 @@ package starlogo.queries.motion
         }
 
         // Finds whether and when a row stops the body, as if there were no others. The row alone may push the body farther from where it starts. Rounding
-        // may hide the touch at its place: see moveIntoTouch.
-        private function findTouch(body:MovingBody, start:Vector3D, row:int, out:MotionResult):void
+        // may hide the touch at its place: see moveIntoTouch. Returns whether the row pushes the body.
+        private function findTouch(body:MovingBody, start:Vector3D, row:int, out:MotionResult):Boolean
         {
             _row.count = 0;
             _row.add(row);
@@ -125,6 +126,7 @@ package starlogo.queries.motion
                 setEnd(body, out.fraction, out.place);
                 pushBack(body.from, _sweepOfRow, out.place);
             }
+            return compareVectors(_sweepOfRow.start, start) != 0;
         }
 
         /**

@@ -50,6 +50,7 @@ package starlogo.queries.motion
         private var _platforms:PlatformCarry;
         private var _floorFinder:FloorFinder;
 
+        // A push or the motion of a substep, within one call.
         private var _motion:Vector3D = new Vector3D();
 
         // The contact of the deepest overlap.
@@ -82,7 +83,7 @@ package starlogo.queries.motion
          */
         public function plan(agent:Agent, dx:Number, dy:Number, options:WalkOptions):WalkState
         {
-            var walk:WalkState = WalkState(_walkPool.top);
+            var walk:WalkState = WalkState(_walkPool.current);
             begin(agent, dx, dy, options, walk);
             pushOut(walk);
             walkSubsteps(walk);
@@ -122,7 +123,7 @@ package starlogo.queries.motion
             var body:MovingBody = walk.body;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
             var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + maxSlideDepth(walk) / 2 + walk.carry.length + distance;
-            range += maxFloorDistanceAmong(walk, _near.largestExtentFor(body));
+            range += maxFloorDistanceAmong(walk, _near.extentBoundFor(body));
             _near.findWithin(body, range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
             walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtentAmong(body.rows));
         }

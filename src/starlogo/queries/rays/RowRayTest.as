@@ -76,16 +76,16 @@ package starlogo.queries.rays
             if (body.kind == ModelShape.GROUND)
             {
                 _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, out.crossings);
-                out.findOfTriangles();
+                out.findSurfacesOfTriangles();
                 return;
             }
             if (bringIntoModel(ray, body.placement) && addCrossingsOfShape(body, out.crossings))
             {
-                out.findOfTriangles();
+                out.findSurfacesOfTriangles();
             }
             else
             {
-                out.findOfSolids();
+                out.findSurfacesOfParts();
             }
             for (var i:int = 0; i < out.count; i++)
             {

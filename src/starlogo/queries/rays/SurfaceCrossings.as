@@ -13,7 +13,7 @@ package starlogo.queries.rays
      */
     public final class SurfaceCrossings
     {
-        /** All crossings of the ray with the shape, in any order. Who finds them begins with none. */
+        /** All crossings of the ray with the shape, in any order. RowRayTest writes them before it calls one of the methods. */
         public var crossings:RayCrossings = new RayCrossings();
 
         // The indices of the crossings that are surfaces.
@@ -38,7 +38,7 @@ package starlogo.queries.rays
          * Finds the surfaces of a structure, or of nodes: where the ray enters the first of parts that overlap, and where it leaves the last. The
          * crossings are those with each part.
          */
-        public function findOfSolids():void
+        public function findSurfacesOfParts():void
         {
             _all.count = _indices.count = 0;
             for (var k:int = 0; k < crossings.count; k++)
@@ -89,7 +89,7 @@ package starlogo.queries.rays
          * Finds the surfaces of triangles: one of those that the ray meets at the same place from the same side, and one of those that it runs along. The
          * crossings are those with each triangle. The side of one may become that of another of the same surface.
          */
-        public function findOfTriangles():void
+        public function findSurfacesOfTriangles():void
         {
             _all.count = _indices.count = 0;
             for (var k:int = 0; k < crossings.count; k++)

@@ -31,9 +31,9 @@ package starlogo.queries.trees
 
         private var _listed:ListedAgents;
 
-        // The numbers of some breeds: only these may count, or all but these.
-        private var _breeds:IntSet = new IntSet();
-        private var _onlyThese:Boolean = false;
+        // The numbers of the breeds that the filter names; and whether only these may count, or all but these.
+        private var _namedBreeds:IntSet = new IntSet();
+        private var _onlyNamed:Boolean = false;
 
         private var _exceptRows:IntSet = new IntSet();
 
@@ -58,8 +58,8 @@ package starlogo.queries.trees
             filter.checkNames(_listed.agentsByRow);
             accepts = filter.accepts;
             excludes = filter.breeds != null || filter.exceptBreeds != null || filter.except != null;
-            _onlyThese = filter.breeds != null;
-            if (_onlyThese)
+            _onlyNamed = filter.breeds != null;
+            if (_onlyNamed)
             {
                 breedSet = readBreeds(filter.breeds, filter.exceptBreeds);
             }
@@ -77,14 +77,14 @@ package starlogo.queries.trees
         private function readBreeds(names:Vector.<String>, without:Vector.<String>):int
         {
             var breeds:int = 0;
-            _breeds.clear(Breeds.NAMES.count);
+            _namedBreeds.clear(Breeds.NAMES.count);
             for (var i:int = 0; names != null && i < names.length; i++)
             {
                 var breed:int = names[i] == null ? -1 : Breeds.NAMES.knownNumberOf(names[i]);
                 if (breed >= 0 && (without == null || without.indexOf(names[i]) < 0))
                 {
                     breeds |= RowTree.breedBit(breed);
-                    _breeds.add(breed);
+                    _namedBreeds.add(breed);
                 }
             }
             return breeds;
@@ -113,7 +113,7 @@ package starlogo.queries.trees
         private function admitsBreed(breed:int):Boolean
         {
             // a filter's accepts may have made a breed since the question began
-            return (breed < _breeds.marks.length && _breeds.has(breed)) == _onlyThese;
+            return (breed < _namedBreeds.marks.length && _namedBreeds.has(breed)) == _onlyNamed;
         }
     }
 }

@@ -51,9 +51,7 @@ package starlogo.queries.trees
         /** By slot: the row. Read only. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /**
-         * By slot: the row's box, widened by a slack that is larger than its rounding errors. A place has no slack. Read only.
-         */
+        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. A place has no slack. Read only. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
         /** By node: a box around the boxes of the node's rows. Read only. */

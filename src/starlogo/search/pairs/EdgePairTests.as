@@ -34,7 +34,7 @@ package starlogo.search.pairs
         private static const OUTWARDS:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
 
-        // By edge, after findPenetrations(): how far the body is beyond it; less than 0 if the body is before it.
+        // By edge: how far the body is beyond it; less than 0 if the body is before it.
         private var _penetrations:Vector.<Number> = new Vector.<Number>(6, true);
 
         private var _limits:TreeLimits;
@@ -57,7 +57,7 @@ package starlogo.search.pairs
         override public function areTouching(a:Body, b:Body):Boolean
         {
             var tolerance:Number = touchToleranceOf(a);
-            findPenetrations(a, b, RelativeMotion.NONE, tolerance);
+            findPenetrations(a, b, RelativeMotion.NONE, tolerance, _penetrations);
             for (var edge:int = 0; edge < 6; edge++)
             {
                 if (_penetrations[edge] + tolerance >= 0)
@@ -72,8 +72,9 @@ package starlogo.search.pairs
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var tolerance:Number = touchToleranceOf(a);
+            // first at the end
             motion.time = 1;
-            findPenetrations(a, b, motion, tolerance);
+            findPenetrations(a, b, motion, tolerance, _penetrations);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
             {
@@ -98,7 +99,7 @@ package starlogo.search.pairs
          */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var deepest:int = findDeepest(a, b, motion);
+            var deepest:int = findDeepest(a, b, motion, _penetrations);
             var left:Number = 1 - motion.time;
             findFarthest(a, OUTWARDS[deepest], _farthest);
             out.x = _farthest.x - left * motion.x;
@@ -138,7 +139,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override protected function findClosestInOrder(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
+            var deepest:int = findDeepest(a, b, RelativeMotion.NONE, _penetrations);
             var outwards:Vector3D = OUTWARDS[deepest];
             findFarthest(a, outwards, _farthest);
             var own:Number = along(deepest, _farthest.x, _farthest.y, _farthest.z);
@@ -161,14 +162,14 @@ package starlogo.search.pairs
         }
 
         // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.
-        private function findDeepest(a:Body, b:Body, motion:RelativeMotion):int
+        private function findDeepest(a:Body, b:Body, motion:RelativeMotion, penetrations:Vector.<Number>):int
         {
             // for trees, the points at all edges are needed
-            findPenetrations(a, b, motion, Infinity);
+            findPenetrations(a, b, motion, Infinity, penetrations);
             var deepest:int = 0;
             for (var edge:int = 1; edge < 6; edge++)
             {
-                deepest = _penetrations[edge] > _penetrations[deepest] ? edge : deepest;
+                deepest = penetrations[edge] > penetrations[deepest] ? edge : deepest;
             }
             return deepest;
         }
@@ -181,7 +182,7 @@ package starlogo.search.pairs
 
         // Finds how far the body is beyond each edge at the time of a motion. A tree's own points are computed only for edges that its extents come to on
         // the motion, within the tolerance.
-        private function findPenetrations(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number):void
+        private function findPenetrations(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number, out:Vector.<Number>):void
         {
             for (var edge:int = 0; edge < 6; edge++)
             {
@@ -194,7 +195,7 @@ package starlogo.search.pairs
                     findFarthest(body, OUTWARDS[edge], _farthest);
                     beyond = _farthest.support - coordinate;
                 }
-                _penetrations[edge] = beyond - (1 - motion.time) * way;
+                out[edge] = beyond - (1 - motion.time) * way;
             }
         }
 

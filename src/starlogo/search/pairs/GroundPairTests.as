@@ -116,7 +116,7 @@ package starlogo.search.pairs
             {
                 motion.endAfter(0, 0, 0);
                 motion.time = 1;
-                OverlapMiddle.movePoint(a, b, out);
+                OverlapMiddle.moveToMiddle(a, b, out);
                 OverlapMiddle.keepWithin(a, out);
                 return;
             }

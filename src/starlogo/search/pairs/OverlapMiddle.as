@@ -23,7 +23,7 @@ package starlogo.search.pairs
          * @param b the second body
          * @param out the contact. Its point is half of the depth away from the second body's end, along the normal
          */
-        public static function movePoint(a:Body, b:Body, out:ContactPoint):void
+        public static function moveToMiddle(a:Body, b:Body, out:ContactPoint):void
         {
             var low:Number = Math.max(0, out.depth - lengthOf(b, out));
             var high:Number = Math.min(out.depth, lengthOf(a, out));

@@ -173,7 +173,7 @@ package starlogo.search.pairs
          */
         public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            OverlapMiddle.movePoint(a, b, out);
+            OverlapMiddle.moveToMiddle(a, b, out);
         }
 
         /**

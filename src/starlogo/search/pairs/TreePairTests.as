@@ -103,7 +103,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            // Two trees stay in this order. CollisionSearch.findContact puts two agents into the order of the list before, so a contact is the same in either order.
+            // Two trees stay in this order. AgentContacts.findContact puts two agents into the order of the list before, so a contact is the same in either order.
             var isReversed:Boolean = a.kind != ModelShape.TREE;
             queryOf(a, b, isReversed).findContact(inOrder(motion, isReversed), out);
             finish(motion, isReversed, out);

@@ -101,13 +101,13 @@ package starlogo.search.penetration
         }
 
         /**
-         * Finds the contact of two bodies that do not touch at the time of the motion in <code>setTo()</code>. Only a first body that moves may have been stopped just before
-         * the touch, because of rounding.
+         * Finds the contact of two bodies that do not touch at the time of the motion in <code>setTo()</code>. Because of rounding, a first body that moves
+         * may have been stopped just before the touch.
          *
          * @param motion as in setTo
          * @param out a contact near here; receives the depth 0 if they do not touch. Then its normal points against the motion, unless the two touch
          *     if the first one moves a little against the given normal
-         * @return whether they do not touch
+         * @return whether there is such a contact: they do not touch
          */
         public function findGrazing(motion:RelativeMotion, out:ContactPoint):Boolean
         {
@@ -135,7 +135,7 @@ package starlogo.search.penetration
         public function finish(out:ContactPoint):void
         {
             putBack();
-            OverlapMiddle.movePoint(first, second, out);
+            OverlapMiddle.moveToMiddle(first, second, out);
             OverlapMiddle.keepWithin(first, out);
             OverlapMiddle.keepWithin(second, out);
         }

@@ -30,8 +30,7 @@ package starlogo.search.penetration
         // The planes that the body slides along. The displacement out of them is the place where it slides to.
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
 
-        // The length of the shortest push so far; a place beside the body's own; a place above that one, from which the body is swept down; and a push
-        // that is tried.
+        // The length of the shortest push so far; a place beside the body's own; a place above that one; and a push that is tried.
         private var _shortest:Number = 0;
         private var _place:Vector3D = new Vector3D();
         private var _above:Vector3D = new Vector3D();
@@ -102,7 +101,7 @@ package starlogo.search.penetration
             _pair.displaceBy(_above);
             if (!_pair.areTouching())
             {
-                var freePart:Number = sweepDown();
+                var freePart:Number = sweepDown(_above);
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var fraction:Number = (1 + fartherFactor) / (2 * fartherFactor);
                 var lowest:Number = height * (1 - freePart) + _pair.minOpening;
@@ -177,12 +176,12 @@ package starlogo.search.penetration
             takeIfFree(x, y, z, _pair.minOpening);
         }
 
-        // Sweeps the first body down from the place above to the height of its own place. Returns which part of this way is free.
-        private function sweepDown():Number
+        // Sweeps the first body down from a place to the height of its own place. The place goes down too. Returns which part of this way is free.
+        private function sweepDown(place:Vector3D):Number
         {
-            _sweep.endAfter(0, 0, -_above.z);
-            _above.z = 0;
-            _pair.displaceBy(_above);
+            _sweep.endAfter(0, 0, -place.z);
+            place.z = 0;
+            _pair.displaceBy(place);
             _pair.findImpactOfSurfaces(_sweep, _met);
             return Math.min(_sweep.time, 1);
         }

@@ -220,7 +220,10 @@ package starlogo.search.table
             }
         }
 
-        /** The body of a row whose model is not loading, as the last search has read it. */
+        /**
+         * The body of a row whose model is not loading, as the last search has read it. Only here it moves to the row's place, because most bodies of a
+         * frame are not tested.
+         */
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];

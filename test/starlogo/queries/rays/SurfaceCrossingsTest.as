@@ -36,7 +36,7 @@ package starlogo.queries.rays
                     crossing.side = _random.pick([RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.EDGE_ON]);
                     all.push(crossing.distance + " with " + crossing.rounding + " from " + crossing.side);
                 }
-                _surfaces.findOfTriangles();
+                _surfaces.findSurfacesOfTriangles();
                 joined += crossings.count - _surfaces.count;
                 var said:String = "crossings " + i + ": " + all.join() + ", left at " + surfaceDistances().join();
                 wrong.addIf(!areInOrder(), "the order", said);
@@ -63,7 +63,7 @@ package starlogo.queries.rays
                 crossing.rounding = i < 2 ? 0 : 1;
                 crossing.side = sides[i];
             }
-            _surfaces.findOfSolids();
+            _surfaces.findSurfacesOfParts();
             assertEquals("0,6,8", surfaceDistances().join());
         }
 

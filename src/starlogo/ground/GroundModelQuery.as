@@ -114,8 +114,7 @@ package starlogo.ground
          */
         public function findPush(probe:Number, out:ContactPoint):Boolean
         {
-            var found:int = _pushSearch.find(_pairs.piece, _pairs.search, probe, out);
-            return found != GroundPushSearch.NONE && (found == GroundPushSearch.FREE || !areTouchingAfter(out, probe))
+            return _pushSearch.find(_pairs.piece, _pairs.search, probe, out) && (_pushSearch.isFree || !areTouchingAfter(out, probe))
                 && (out.isDeepestOfA || areTouchingAfter(out, -probe));
         }
 

@@ -22,16 +22,10 @@ package starlogo.ground
         /** Whether planes show that the push that is found leads out. If not, only a test of the model's pieces shows it. Read only. */
         public var isFree:Boolean = false;
 
-        private var _deepest:DeepestPointSearch;
+        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
         private var _planes:GroundPlanes = new GroundPlanes();
         private var _separation:GroundSeparation = new GroundSeparation(_planes);
-        private var _exits:GroundExits;
-
-        public function GroundPushSearch(deepest:DeepestPointSearch, exits:GroundExits)
-        {
-            _deepest = deepest;
-            _exits = exits;
-        }
+        private var _exits:GroundExits = new GroundExits();
 
         /**
          * Finds the push.
@@ -85,8 +79,7 @@ package starlogo.ground
             return _planes.areInWay(first);
         }
 
-        // Finds the contact of the push. Its deepest point is one that is under the ground until a little before the end, and of which the depth is proven. Returns
-        // whether there is one.
+        // Finds the contact of the push. Its deepest point is one that is still under the ground there, and whose depth is proven. Returns whether there is one.
         private function findContact(search:GroundSearch, probe:Number, out:ContactPoint):Boolean
         {
             var push:HalfSpaceSolver = _planes.push;
@@ -94,6 +87,7 @@ package starlogo.ground
             out.setNormal(push.displacement.x / depth, push.displacement.y / depth, push.displacement.z / depth);
             out.depth = depth;
             out.forget();
+            // a little before the end
             _planes.solve(-probe);
             for (var i:int = 0; i < _planes.count; i++)
             {

@@ -21,7 +21,7 @@ package starlogo.ground
 
         private var _random:SeededRandom = new SeededRandom(1811);
         private var _query:GroundModelQuery = new GroundModelQuery();
-        private var _search:GroundPushSearch = new GroundPushSearch(new DeepestPointSearch(), new GroundExits());
+        private var _search:GroundPushSearch = new GroundPushSearch();
         private var _model:ModelPiece = new ModelPiece();
         private var _ground:GroundSearch = new GroundSearch();
         private var _out:ContactPoint = new ContactPoint();

@@ -24,68 +24,71 @@ package starlogo.ground
         private var _at:GroundPoint = new GroundPoint();
         private var _above:Number = 0;
 
-        // The exits of the last two steps.
-        private var _last:GroundExit = new GroundExit();
-        private var _lastButOne:GroundExit = new GroundExit();
+        // The planes of the last two steps.
+        private var _last:GroundPlane = new GroundPlane();
+        private var _lastButOne:GroundPlane = new GroundPlane();
 
-        // The exit of a quick test.
-        private var _exit:GroundExit = new GroundExit();
+        // The plane of a quick test.
+        private var _tried:GroundPlane = new GroundPlane();
 
-        /** Sets the plane of an exit to the surface under the middle of a model's box. Returns false if no ground is there. */
-        public function beginUnder(model:ModelPiece, search:GroundSearch, exit:GroundExit):Boolean
+        /** Sets a plane to the surface under the middle of a model's box. Returns false if no ground is there. */
+        public function beginUnder(model:ModelPiece, search:GroundSearch, out:GroundPlane):Boolean
         {
             _at.x = model.box.x + search.origin.x;
             _at.y = model.box.y + search.origin.y;
             search.grid.findHeight(_at);
-            setPlane(search, exit);
+            setPlane(search, out);
             return !isNaN(_at.height);
         }
 
         /**
-         * Finds the exit of the deepest point.
+         * Finds the plane of the exit of the deepest point, and adds it. If the point has to get out of both sides of a valley, adds both. Adds none if the
+         * search does not come to the ground's surface.
          *
          * @param model where it stands
-         * @param by how far it is displaced
-         * @param out the one at the index has the plane to begin with. It receives the exit, and if the point has to get out of both sides of a valley, the next
-         *     one receives the other
-         * @return how many exits there are: 1 ends on the ground's surface, 2 are of a valley; 0 if none is found
+         * @param planes say how far it is displaced. The next one is set: the search begins with it
          */
-        public function find(model:ModelPiece, search:GroundSearch, by:Vector3D, out:Vector.<GroundExit>, index:int):int
+        public function addExit(model:ModelPiece, search:GroundSearch, planes:GroundPlanes):void
         {
-            var exit:GroundExit = out[index];
+            var plane:GroundPlane = planes.next;
+            var by:Vector3D = planes.displacement;
             for (var step:int = 0; step < MAX_STEPS; step++)
             {
-                if (step > 1 && exit.normal.x == _lastButOne.normal.x && exit.normal.y == _lastButOne.normal.y)
+                if (step > 1 && plane.normal.x == _lastButOne.normal.x && plane.normal.y == _lastButOne.normal.y)
                 {
                     break;
                 }
-                exit.findPoint(model);
-                goToEnd(search, exit, by);
+                plane.findPoint(model);
+                goToEnd(search, plane, by);
                 if (isAtEnd(search))
                 {
-                    return 1;
+                    planes.add();
+                    return;
                 }
                 if (isNaN(_at.height))
                 {
-                    return 0;
+                    return;
                 }
                 _lastButOne.copyFrom(_last);
-                _last.copyFrom(exit);
-                setPlane(search, exit);
+                _last.copyFrom(plane);
+                setPlane(search, plane);
             }
             if (_above < 0)
             {
-                exit.copyFrom(_last);
-                out[index + 1].copyFrom(_lastButOne);
-                return 2;
+                plane.copyFrom(_last);
+                planes.add();
+                planes.next.copyFrom(_lastButOne);
+                planes.add();
             }
             // between two points of a tree's triangles there is mostly nothing
-            if (model.areTriangles || !_ridges.find(model, _lastButOne, _last, exit))
+            else if (!model.areTriangles && _ridges.find(model, _lastButOne, _last, plane))
             {
-                return 0;
+                goToEnd(search, plane, by);
+                if (isAtEnd(search))
+                {
+                    planes.add();
+                }
             }
-            goToEnd(search, exit, by);
-            return isAtEnd(search) ? 1 : 0;
         }
 
         /** Whether a point that is deepest behind a plane is under the ground: a quick test, which shows it of most models that are in the ground. */
@@ -93,45 +96,45 @@ package starlogo.ground
         {
             model.findWholeBox();
             // most models whose lowest height is not in the ground under their middle are not in the ground
-            if (!beginUnder(model, search, _exit) || model.box.z - model.box.halfZ > _at.height - search.origin.z)
+            if (!beginUnder(model, search, _tried) || model.box.z - model.box.halfZ > _at.height - search.origin.z)
             {
                 return false;
             }
             for (var step:int = 0; step < MAX_STEPS; step++)
             {
-                _exit.findPoint(model);
-                if (_exit.heightOver(search, NONE) >= 0)
+                _tried.findPoint(model);
+                if (_tried.depthUnderGround(search, NONE) >= 0)
                 {
                     return true;
                 }
-                goToEnd(search, _exit, NONE);
+                goToEnd(search, _tried, NONE);
                 if (isNaN(_at.height) || isAtEnd(search))
                 {
                     return false;
                 }
-                setPlane(search, _exit);
+                setPlane(search, _tried);
             }
             return false;
         }
 
-        // Sets the plane of an exit to the surface at the place where the search is.
-        private function setPlane(search:GroundSearch, exit:GroundExit):void
+        // Sets a plane to the surface at the place where the search is.
+        private function setPlane(search:GroundSearch, plane:GroundPlane):void
         {
             var origin:Placement = search.origin;
-            var normal:Vector3D = exit.normal;
+            var normal:Vector3D = plane.normal;
             search.grid.findNormal(_at, normal);
-            exit.offset = normal.x * (_at.x - origin.x) + normal.y * (_at.y - origin.y) + normal.z * (_at.height - origin.z);
+            plane.offset = normal.x * (_at.x - origin.x) + normal.y * (_at.y - origin.y) + normal.z * (_at.height - origin.z);
         }
 
-        // Goes to the surface at the end of a displaced exit.
-        private function goToEnd(search:GroundSearch, exit:GroundExit, by:Vector3D):void
+        // Goes to the surface at the end of the displaced exit of a plane's point.
+        private function goToEnd(search:GroundSearch, plane:GroundPlane, by:Vector3D):void
         {
-            var normal:Vector3D = exit.normal;
-            var x:Number = exit.point.x + by.x;
-            var y:Number = exit.point.y + by.y;
-            var z:Number = exit.point.z + by.z;
+            var normal:Vector3D = plane.normal;
+            var x:Number = plane.point.x + by.x;
+            var y:Number = plane.point.y + by.y;
+            var z:Number = plane.point.z + by.z;
             // not the depth, because the point may be the mean of some that are as deep up to rounding
-            var length:Number = exit.offset - (normal.x * x + normal.y * y + normal.z * z);
+            var length:Number = plane.offset - (normal.x * x + normal.y * y + normal.z * z);
             _at.x = x + length * normal.x + search.origin.x;
             _at.y = y + length * normal.y + search.origin.y;
             search.grid.findHeight(_at);

@@ -10,7 +10,7 @@ package starlogo.ground
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** How much the plane rises in a patch along x, and along y. */
+        /** How much it rises in a patch along x, and along y. */
         public var riseX:Number = 0;
         public var riseY:Number = 0;
 
@@ -44,7 +44,7 @@ package starlogo.ground
         }
 
         /** Writes its plane. */
-        public function writePlane(out:GroundExit):void
+        public function writePlane(out:GroundPlane):void
         {
             var length:Number = Math.sqrt(riseX * riseX + riseY * riseY + 1);
             out.normal.x = -riseX / length;
@@ -54,14 +54,14 @@ package starlogo.ground
         }
 
         /**
-         * Writes a plane that may be between the facet and a place above it. It is perpendicular to the way from the facet's nearest point to the place.
+         * Writes a plane that may be between the facet and a box above it. It is perpendicular to the way from the facet to the box's middle.
          *
          * @return whether there is one
          */
-        public function writePlaneBelow(placeX:Number, placeY:Number, placeZ:Number, out:GroundExit):Boolean
+        public function writePlaneBelow(box:GroundBox, out:GroundPlane):Boolean
         {
-            var toX:Number = placeX - x;
-            var toY:Number = placeY - y;
+            var toX:Number = box.x - x;
+            var toY:Number = box.y - y;
             var nearX:Number = toX < minX ? minX : toX;
             var nearY:Number = toY < minY ? minY : toY;
             nearX = nearX > maxX ? maxX : nearX;
@@ -69,7 +69,7 @@ package starlogo.ground
             var normal:Vector3D = out.normal;
             normal.x = toX - nearX;
             normal.y = toY - nearY;
-            normal.z = placeZ - (z + nearX * riseX + nearY * riseY);
+            normal.z = box.z - (z + nearX * riseX + nearY * riseY);
             if (!(normal.z > 0))
             {
                 return false;

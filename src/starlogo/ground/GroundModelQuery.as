@@ -35,7 +35,7 @@ package starlogo.ground
 
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
         private var _deepest:DeepestPointSearch = new DeepestPointSearch();
-        private var _pushSearch:GroundPushSearch;
+        private var _pushSearch:GroundPushSearch = new GroundPushSearch();
 
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
@@ -46,9 +46,7 @@ package starlogo.ground
 
         public function GroundModelQuery()
         {
-            var exits:GroundExits = new GroundExits();
-            penetration = new GroundPenetrationQuery(_pairs, exits);
-            _pushSearch = new GroundPushSearch(_deepest, exits);
+            penetration = new GroundPenetrationQuery(_pairs);
         }
 
         /**
@@ -114,8 +112,7 @@ package starlogo.ground
          */
         public function findPush(probe:Number, out:ContactPoint):Boolean
         {
-            var found:int = _pushSearch.find(_pairs.piece, _pairs.search, probe, out);
-            return found != GroundPushSearch.NONE && (found == GroundPushSearch.FREE || !areTouchingAfter(out, probe))
+            return _pushSearch.find(_pairs.piece, _pairs.search, probe, out) && (_pushSearch.isFree || !areTouchingAfter(out, probe))
                 && (out.isDeepestOfA || areTouchingAfter(out, -probe));
         }
 

@@ -25,15 +25,14 @@ package starlogo.ground
         // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
-        private var _exits:GroundExits;
+        private var _exits:GroundExits = new GroundExits();
 
         // Bounds of the heights around the model.
         private var _heightsAround:HeightBounds = new HeightBounds();
 
         /** @param pairs of the model, where it stands */
-        public function GroundPenetrationQuery(pairs:PieceTrianglePairs, exits:GroundExits)
+        public function GroundPenetrationQuery(pairs:PieceTrianglePairs)
         {
-            _exits = exits;
             _pairs = pairs;
         }
 

@@ -9,8 +9,8 @@ package starlogo.ground
         // The most planes. Three are the sides of a corner; others only separate.
         private static const CAPACITY:int = 6;
 
-        /** The planes, and one or two that are still tried. Read only, but for these. */
-        public var exits:Vector.<GroundExit> = new Vector.<GroundExit>(CAPACITY + 2, true);
+        /** The planes. Read only: a new one is written to <code>next</code>, and then added. */
+        public var planes:Vector.<GroundPlane> = new Vector.<GroundPlane>();
 
         /** How many planes there are. Read only. */
         public var count:int = 0;
@@ -23,9 +23,10 @@ package starlogo.ground
 
         public function GroundPlanes()
         {
-            for (var i:int = 0; i < exits.length; i++)
+            // a valley has two sides, so there may be one too many, and then the next one
+            for (var i:int = 0; i < CAPACITY + 2; i++)
             {
-                exits[i] = new GroundExit();
+                planes.push(new GroundPlane());
             }
         }
 
@@ -37,10 +38,10 @@ package starlogo.ground
             displacement.x = displacement.y = displacement.z = 0;
         }
 
-        /** The plane that is still tried. */
-        public function get next():GroundExit
+        /** The plane that is tried. It does not count before it is added. */
+        public function get next():GroundPlane
         {
-            return exits[count];
+            return planes[count];
         }
 
         /** Whether there may be another plane. */
@@ -52,9 +53,22 @@ package starlogo.ground
         /** Adds the plane that is tried. */
         public function add():void
         {
-            var plane:GroundExit = exits[count];
+            var plane:GroundPlane = planes[count];
             push.add(plane.normal.x, plane.normal.y, plane.normal.z, plane.depth);
             count++;
+        }
+
+        /** Whether one of the planes from this one on is in the way of the displaced model, because a point of it is behind the plane. */
+        public function areInWay(first:int):Boolean
+        {
+            for (var i:int = first; i < count; i++)
+            {
+                if (planes[i].frontAfter(displacement) < planes[i].offset)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         /** Finds the push, and where the model is tried. Returns whether there is a push. */

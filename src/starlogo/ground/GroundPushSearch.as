@@ -10,15 +10,6 @@ package starlogo.ground
      */
     internal final class GroundPushSearch
     {
-        /** An answer: no push is found. */
-        public static const NONE:int = 0;
-
-        /** An answer: there is a push, but only a test of the model's pieces shows whether it leads out. */
-        public static const UNKNOWN:int = 1;
-
-        /** An answer: there is a push, and it leads out. */
-        public static const FREE:int = 2;
-
         // Models that are larger than this many cells have other tests, which need not look at all cells.
         private static const MAX_CELLS:Number = 8;
 
@@ -28,16 +19,13 @@ package starlogo.ground
         // The probe must be longer than this many times the gap across which surfaces touch.
         private static const MIN_MARGINS:Number = 8;
 
-        private var _deepest:DeepestPointSearch;
+        /** Whether planes show that the push that is found leads out. If not, only a test of the model's pieces shows it. Read only. */
+        public var isFree:Boolean = false;
+
+        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
         private var _planes:GroundPlanes = new GroundPlanes();
         private var _separation:GroundSeparation = new GroundSeparation(_planes);
-        private var _exits:GroundExits;
-
-        public function GroundPushSearch(deepest:DeepestPointSearch, exits:GroundExits)
-        {
-            _deepest = deepest;
-            _exits = exits;
-        }
+        private var _exits:GroundExits = new GroundExits();
 
         /**
          * Finds the push.
@@ -47,30 +35,27 @@ package starlogo.ground
          * @param probe the model is in the ground so far before the end of the push, and is free so far behind it
          * @param out receives the push as a contact, in the world. If no deepest point of the model is known, only a test shows whether the model is in the
          *     ground before the end
-         * @return one of the answers
+         * @return whether there is a push
          */
-        public function find(model:ModelPiece, search:GroundSearch, probe:Number, out:ContactPoint):int
+        public function find(model:ModelPiece, search:GroundSearch, probe:Number, out:ContactPoint):Boolean
         {
             var separation:int = GroundSeparation.BLOCKED;
             model.findWholeBox();
             _planes.clear();
             if (!isSmall(model.box, search.grid) || probe < MIN_MARGINS * marginOf(model, search.grid) || !_deepest.beginUnder(model, search, _planes.next))
             {
-                return NONE;
+                return false;
             }
             while (separation == GroundSeparation.BLOCKED)
             {
-                if (!_planes.hasRoom || !addExits(model, search) || !_planes.solve(probe) || _planes.push.distance <= MIN_PROBES * probe)
+                if (!_planes.hasRoom || !addExit(model, search) || !_planes.solve(probe) || _planes.push.distance <= MIN_PROBES * probe)
                 {
-                    return NONE;
+                    return false;
                 }
                 separation = _separation.find(model, search, probe / 4);
             }
-            if (!findContact(search, probe, out))
-            {
-                return NONE;
-            }
-            return separation == GroundSeparation.SEPARATED ? FREE : UNKNOWN;
+            isFree = separation == GroundSeparation.SEPARATED;
+            return findContact(search, probe, out);
         }
 
         private static function isSmall(box:GroundBox, grid:HeightGrid):Boolean
@@ -86,20 +71,15 @@ package starlogo.ground
             return model.modelMargin + Tolerances.ROUNDING * (grid.cellWidth + heights.max - heights.min + box.halfX + box.halfY + box.halfZ);
         }
 
-        // Adds the exits of the point that is deepest if one follows the normals from the next plane on. Returns whether the last push does not lead out of them.
-        private function addExits(model:ModelPiece, search:GroundSearch):Boolean
+        // Adds the exit of the point that is deepest if one follows the normals from the next plane on. Returns whether the last push does not lead out of it.
+        private function addExit(model:ModelPiece, search:GroundSearch):Boolean
         {
-            var isFarther:Boolean = false;
-            for (var left:int = _deepest.find(model, search, _planes.displacement, _planes.exits, _planes.count); left > 0; left--)
-            {
-                isFarther ||= _planes.next.frontAfter(_planes.displacement) < _planes.next.offset;
-                _planes.add();
-            }
-            return isFarther;
+            var first:int = _planes.count;
+            _deepest.addExit(model, search, _planes);
+            return _planes.areInWay(first);
         }
 
-        // Finds the contact of the push. Its deepest point is one that is under the ground until a little before the end, and of which the depth is proven. Returns
-        // whether there is one.
+        // Finds the contact of the push. Its deepest point is one that is still under the ground there, and whose depth is proven. Returns whether there is one.
         private function findContact(search:GroundSearch, probe:Number, out:ContactPoint):Boolean
         {
             var push:HalfSpaceSolver = _planes.push;
@@ -107,16 +87,17 @@ package starlogo.ground
             out.setNormal(push.displacement.x / depth, push.displacement.y / depth, push.displacement.z / depth);
             out.depth = depth;
             out.forget();
+            // a little before the end
             _planes.solve(-probe);
             for (var i:int = 0; i < _planes.count; i++)
             {
-                var exit:GroundExit = _planes.exits[i];
-                if (exit.heightOver(search, _planes.displacement) > 0)
+                var plane:GroundPlane = _planes.planes[i];
+                if (plane.depthUnderGround(search, _planes.displacement) > 0)
                 {
-                    out.x = exit.point.x + push.displacement.x / 2 + search.origin.x;
-                    out.y = exit.point.y + push.displacement.y / 2 + search.origin.y;
-                    out.z = exit.point.z + push.displacement.z / 2 + search.origin.z;
-                    out.isDeepestOfA = exit.isPointOfModel;
+                    out.x = plane.point.x + push.displacement.x / 2 + search.origin.x;
+                    out.y = plane.point.y + push.displacement.y / 2 + search.origin.y;
+                    out.z = plane.point.z + push.displacement.z / 2 + search.origin.z;
+                    out.isDeepestOfA = plane.isPointOfModel;
                     if (_exits.isDepthProven(search.grid, out))
                     {
                         return true;

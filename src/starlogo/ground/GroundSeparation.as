@@ -20,6 +20,9 @@ package starlogo.ground
         private var _planes:GroundPlanes;
         private var _facet:GroundFacet = new GroundFacet();
 
+        // The box around the displaced model.
+        private var _box:GroundBox = new GroundBox();
+
         // How far a plane must be from the model, or from the facet.
         private var _gap:Number = 0;
 
@@ -39,30 +42,32 @@ package starlogo.ground
         public function find(model:ModelPiece, search:GroundSearch, gap:Number):int
         {
             var grid:HeightGrid = search.grid;
-            var box:GroundBox = model.box;
+            var box:GroundBox = _box;
             var facet:GroundFacet = _facet;
             var width:Number = grid.cellWidth;
             var beginX:Number = grid.x - grid.border - search.origin.x;
             var beginY:Number = grid.y - grid.border - search.origin.y;
-            var x:Number = box.x + _planes.displacement.x;
-            var y:Number = box.y + _planes.displacement.y;
-            var firstColumn:int = Math.max(0, Math.floor((x - box.halfX - beginX) / width));
-            var firstRow:int = Math.max(0, Math.floor((y - box.halfY - beginY) / width));
-            var lastColumn:int = Math.min(grid.lastCellColumn, Math.floor((x + box.halfX - beginX) / width));
-            var lastRow:int = Math.min(grid.lastCellRow, Math.floor((y + box.halfY - beginY) / width));
+            box.copyFrom(model.box);
+            box.x += _planes.displacement.x;
+            box.y += _planes.displacement.y;
+            box.z += _planes.displacement.z;
+            var firstColumn:int = Math.max(0, Math.floor((box.x - box.halfX - beginX) / width));
+            var firstRow:int = Math.max(0, Math.floor((box.y - box.halfY - beginY) / width));
+            var lastColumn:int = Math.min(grid.lastCellColumn, Math.floor((box.x + box.halfX - beginX) / width));
+            var lastRow:int = Math.min(grid.lastCellRow, Math.floor((box.y + box.halfY - beginY) / width));
             var answer:int = SEPARATED;
             _gap = gap;
             facet.width = width;
             for (var row:int = firstRow; row <= lastRow && answer != BLOCKED; row++)
             {
                 facet.y = beginY + row * width;
-                facet.minY = Math.max(0, y - box.halfY - facet.y);
-                facet.maxY = Math.min(width, y + box.halfY - facet.y);
+                facet.minY = Math.max(0, box.y - box.halfY - facet.y);
+                facet.maxY = Math.min(width, box.y + box.halfY - facet.y);
                 for (var column:int = firstColumn; column <= lastColumn && answer != BLOCKED; column++)
                 {
                     facet.x = beginX + column * width;
-                    facet.minX = Math.max(0, x - box.halfX - facet.x);
-                    facet.maxX = Math.min(width, x + box.halfX - facet.x);
+                    facet.minX = Math.max(0, box.x - box.halfX - facet.x);
+                    facet.maxX = Math.min(width, box.x + box.halfX - facet.x);
                     answer = Math.max(answer, answerOfCell(row * grid.columns + column, model, search));
                 }
             }
@@ -110,19 +115,17 @@ package starlogo.ground
             {
                 return UNKNOWN;
             }
-            var by:Vector3D = _planes.displacement;
-            var box:GroundBox = model.box;
-            var plane:GroundExit = _planes.next;
+            var plane:GroundPlane = _planes.next;
             _facet.writePlane(plane);
-            if (isBoxInFront(box, plane) || isModelInFront(model, plane))
+            if (isBoxInFront(plane) || isModelInFront(model, plane))
             {
                 return SEPARATED;
             }
-            if (plane.heightOver(search, by) > 0)
+            if (plane.depthUnderGround(search, _planes.displacement) > 0)
             {
                 return BLOCKED;
             }
-            return _facet.writePlaneBelow(box.x + by.x, box.y + by.y, box.z + by.z, plane) && isModelInFront(model, plane) ? SEPARATED : UNKNOWN;
+            return _facet.writePlaneBelow(_box, plane) && isModelInFront(model, plane) ? SEPARATED : UNKNOWN;
         }
 
         // Whether the facet is behind one of the planes, which the displaced model is in front of.
@@ -130,7 +133,7 @@ package starlogo.ground
         {
             for (var i:int = 0; i < _planes.count; i++)
             {
-                var plane:GroundExit = _planes.exits[i];
+                var plane:GroundPlane = _planes.planes[i];
                 if (_facet.maxAlong(plane.normal) + _gap <= plane.frontAfter(_planes.displacement))
                 {
                     return true;
@@ -140,16 +143,16 @@ package starlogo.ground
         }
 
         // Whether the box around the displaced model is in front of a plane.
-        private function isBoxInFront(box:GroundBox, plane:GroundExit):Boolean
+        private function isBoxInFront(plane:GroundPlane):Boolean
         {
             var normal:Vector3D = plane.normal;
-            var by:Vector3D = _planes.displacement;
+            var box:GroundBox = _box;
             var reach:Number = Math.abs(normal.x) * box.halfX + Math.abs(normal.y) * box.halfY + normal.z * box.halfZ;
-            return normal.x * (box.x + by.x) + normal.y * (box.y + by.y) + normal.z * (box.z + by.z) - reach >= plane.offset + _gap;
+            return normal.x * box.x + normal.y * box.y + normal.z * box.z - reach >= plane.offset + _gap;
         }
 
         // Whether the displaced model is in front of a plane. If it is, the plane is added, because others may be behind it too.
-        private function isModelInFront(model:ModelPiece, plane:GroundExit):Boolean
+        private function isModelInFront(model:ModelPiece, plane:GroundPlane):Boolean
         {
             plane.findPoint(model);
             if (plane.frontAfter(_planes.displacement) < plane.offset + _gap)

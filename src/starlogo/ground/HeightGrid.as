@@ -1,12 +1,13 @@
-// This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. HeightGrid has the heights, and
-// HeightPyramid bounds of them. Four parts build on these:
-// - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
-// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPiece), each with the triangles near it.
-// GroundPenetrationQuery finds how deep the model is, GroundExits a lower bound of the lengths of its exits.
-// - GroundPushSearch finds the push of most contacts, by planes alone: from the exit of the model's deepest point (DeepestPointSearch,
-// RidgeExitSearch) to planes between the model and each GroundFacet (GroundSeparation). An exit leads one point out, a push the whole model.
-// - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
-// Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
+// This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. Open HeightGrid first: it has the heights,
+// and HeightPyramid bounds of them. Then read GroundModelQuery, which tests a model:
+// 1. Do the two touch? GroundEarlyOut knows it of most agents by the heights alone. For the others PieceTrianglePairs are the convex pieces of the model
+// (ModelPiece), each with the triangles near it. GroundTriangles finds these near the box of a GroundSearch: square by square (BoxPath), then those of each
+// cell (CellTriangles).
+// 2. How deep is the model? GroundPushSearch finds the push of most contacts, by planes alone (GroundPlanes). DeepestPointSearch adds the plane of the exit
+// of the deepest point, which RidgeExitSearch finds across a ridge. An exit leads one point out, a push the whole model. So GroundSeparation looks for a
+// plane between the pushed model and each GroundFacet under it. A facet in the way has the next plane. GroundExits proves that no exit is much shorter.
+// 3. If no push is found, GroundPenetrationQuery finds a triangle that the model is deep behind, and the PenetrationSearch of search goes on from there.
+// GroundRayQuery tests a ray by the same GroundTriangles.
 package starlogo.ground
 {
     import flash.geom.Vector3D;

@@ -44,10 +44,13 @@ package starlogo.ground
         /** Tests the piece, which is the kernel's shape, with a triangle of the ground. For an inner node the shape is still an earlier piece. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
+        /** The margin of the model's place and surface. Read only. */
+        public var modelMargin:Number = 0;
+
         /** The margin of the piece, with the margins of the model's place and surface. Read only. */
         public var shapeMargin:Number = 0;
 
-        /** The box around the piece and its margin, relative to the origin. After <code>setToModel()</code> it is around the whole model. Read only. */
+        /** The box around the piece and its margin, relative to the origin. After <code>findWholeBox()</code> it is around the whole model. Read only. */
         public var box:GroundBox = new GroundBox();
 
         /** A point of the piece; the middle of the box of an inner node. Read only. */
@@ -58,9 +61,8 @@ package starlogo.ground
         // How many levels of the tree are visited; EXACT if triangles are the smallest pieces.
         private var _depth:int;
 
-        // The model's placement, relative to the origin; and the margin for its place and surface.
+        // The model's placement, relative to the origin.
         private var _placement:Placement = new Placement();
-        private var _modelMargin:Number = 0;
 
         private var _supportSearch:SupportSearch = new SupportSearch();
 
@@ -75,10 +77,10 @@ package starlogo.ground
             _structure = structure;
             _depth = depth;
             // twice, as if another agent stood at the place of the touch
-            _modelMargin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
+            modelMargin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_depth == BoxTree.EXACT)
             {
-                _modelMargin += Touching.marginOfSurface(this.tree.boundingRadius * placement.size);
+                modelMargin += Touching.marginOfSurface(this.tree.boundingRadius * placement.size);
             }
             _placement.copyFrom(placement);
             moveTo(RelativeMotion.NONE, 0);
@@ -115,12 +117,6 @@ package starlogo.ground
             return _depth == BoxTree.EXACT;
         }
 
-        /** The margin of the model's place and surface. */
-        public function get modelMargin():Number
-        {
-            return _modelMargin;
-        }
-
         /** Finds the point of the model that is farthest in a direction. */
         public function findFarthest(direction:Vector3D, out:SupportPoint):void
         {
@@ -153,7 +149,7 @@ package starlogo.ground
             tree.readTriangle(index, _corners);
             placePoints(_placement, _corners, 0, 9, _corners);
             kernel.shape.setTriangle(_corners, 0);
-            shapeMargin = _modelMargin;
+            shapeMargin = modelMargin;
             point.x = _corners[0];
             point.y = _corners[1];
             point.z = _corners[2];
@@ -188,9 +184,9 @@ package starlogo.ground
             box.x = point.x = _placement.r00 * x + _placement.r01 * y + _placement.r02 * z + _placement.x;
             box.y = point.y = _placement.r10 * x + _placement.r11 * y + _placement.r12 * z + _placement.y;
             box.z = point.z = _placement.r20 * x + _placement.r21 * y + _placement.r22 * z + _placement.z;
-            box.halfX = Math.abs(_placement.r00) * halfX + Math.abs(_placement.r01) * halfY + Math.abs(_placement.r02) * halfZ + margin + _modelMargin;
-            box.halfY = Math.abs(_placement.r10) * halfX + Math.abs(_placement.r11) * halfY + Math.abs(_placement.r12) * halfZ + margin + _modelMargin;
-            box.halfZ = Math.abs(_placement.r20) * halfX + Math.abs(_placement.r21) * halfY + Math.abs(_placement.r22) * halfZ + margin + _modelMargin;
+            box.halfX = Math.abs(_placement.r00) * halfX + Math.abs(_placement.r01) * halfY + Math.abs(_placement.r02) * halfZ + margin + modelMargin;
+            box.halfY = Math.abs(_placement.r10) * halfX + Math.abs(_placement.r11) * halfY + Math.abs(_placement.r12) * halfZ + margin + modelMargin;
+            box.halfZ = Math.abs(_placement.r20) * halfX + Math.abs(_placement.r21) * halfY + Math.abs(_placement.r22) * halfZ + margin + modelMargin;
         }
 
         // Becomes a structure of the model.
@@ -199,7 +195,7 @@ package starlogo.ground
             var shape:ConvexShape = kernel.shape;
             setBoxAround(structure);
             kernel.setStructure(structure, _placement);
-            shape.margin += _modelMargin;
+            shape.margin += modelMargin;
             shapeMargin = shape.margin;
             point.copyFrom(shape.origin);
         }
@@ -211,9 +207,9 @@ package starlogo.ground
             box.x = _middleAndHalves[0] + _placement.x;
             box.y = _middleAndHalves[1] + _placement.y;
             box.z = _middleAndHalves[2] + _placement.z;
-            box.halfX = _middleAndHalves[3] + _modelMargin;
-            box.halfY = _middleAndHalves[4] + _modelMargin;
-            box.halfZ = _middleAndHalves[5] + _modelMargin;
+            box.halfX = _middleAndHalves[3] + modelMargin;
+            box.halfY = _middleAndHalves[4] + modelMargin;
+            box.halfZ = _middleAndHalves[5] + modelMargin;
         }
     }
 }

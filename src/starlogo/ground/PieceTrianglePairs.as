@@ -88,7 +88,12 @@ package starlogo.ground
         {
             search.motion = motion;
             search.maxDistance = maxDistance;
-            start(false);
+            _isForDepths = false;
+            minDepth = 0;
+            _source.stop();
+            _next = _end = _listBegin = _listEnd = 0;
+            _waitingEnd = 0;
+            push(0);
         }
 
         /**
@@ -97,20 +102,8 @@ package starlogo.ground
          */
         public function beginBehindPlanes():void
         {
-            search.motion = RelativeMotion.NONE;
-            search.maxDistance = 0;
-            start(true);
-        }
-
-        // Begins with the whole model.
-        private function start(isForDepths:Boolean):void
-        {
-            _isForDepths = isForDepths;
-            minDepth = 0;
-            _source.stop();
-            _next = _end = _listBegin = _listEnd = 0;
-            _waitingEnd = 0;
-            push(0);
+            begin(RelativeMotion.NONE, 0);
+            _isForDepths = true;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */

@@ -13,9 +13,13 @@ package starlogo.ground
         // How many edges of the model are tried.
         private static const MAX_STEPS:int = 6;
 
-        // The ends of the edge.
+        // The ends of the edge: the one behind plane A, and the one behind plane B.
         private var _behindA:SupportPoint = new SupportPoint();
         private var _behindB:SupportPoint = new SupportPoint();
+
+        // A direction across the ridge, and the component of the ridge's points along it.
+        private var _across:Vector3D = new Vector3D();
+        private var _ridge:Number = 0;
 
         /**
          * Finds the exit.
@@ -23,63 +27,83 @@ package starlogo.ground
          * @param model where it stands
          * @param a a plane, with the point of the model that is farthest behind it
          * @param b another plane, with its point
-         * @param out receives the exit. Its plane goes through the line where the two planes meet
+         * @param out receives the plane of the exit, through the line where the two planes meet, and the point of the edge that is farthest behind it
          * @return whether the model has such an edge
          */
-        public function find(model:ModelPiece, a:GroundExit, b:GroundExit, out:GroundExit):Boolean
+        public function find(model:ModelPiece, a:GroundPlane, b:GroundPlane, out:GroundPlane):Boolean
         {
             var tolerance:Number = Tolerances.SEPARATION / 10 * model.box.halfZ;
-            var normal:Vector3D = out.normal;
             _behindA.copyFrom(a.point);
             _behindB.copyFrom(b.point);
             for (var step:int = 0; step < MAX_STEPS; step++)
             {
-                var x:Number = _behindB.x - _behindA.x;
-                var y:Number = _behindB.y - _behindA.y;
-                var z:Number = _behindB.z - _behindA.z;
-                // the shares of the two normals in the one that is perpendicular to both edges
-                var shareA:Number = -(b.normal.x * x + b.normal.y * y + b.normal.z * z);
-                var shareB:Number = a.normal.x * x + a.normal.y * y + a.normal.z * z;
-                normal.x = shareA * a.normal.x + shareB * b.normal.x;
-                normal.y = shareA * a.normal.y + shareB * b.normal.y;
-                normal.z = shareA * a.normal.z + shareB * b.normal.z;
-                var length:Number = normal.normalize();
-                if (!(shareA >= 0 && shareB >= 0 && length > 0))
+                if (!findPlane(a, b, out))
                 {
                     return false;
                 }
-                out.offset = (shareA * a.offset + shareB * b.offset) / length;
                 out.findPoint(model);
-                // how far the line is from the ends of the edge, along the direction that leads from A to B across the ridge
-                var acrossX:Number = b.normal.x - a.normal.x;
-                var acrossY:Number = b.normal.y - a.normal.y;
-                var acrossZ:Number = b.normal.z - a.normal.z;
-                var cosine:Number = acrossX * normal.x + acrossY * normal.y + acrossZ * normal.z;
-                acrossX -= cosine * normal.x;
-                acrossY -= cosine * normal.y;
-                acrossZ -= cosine * normal.z;
-                var line:Number = b.offset - a.offset - cosine * out.offset;
-                if (-out.point.support >= normal.x * _behindA.x + normal.y * _behindA.y + normal.z * _behindA.z - tolerance)
+                findAcross(a, b, out);
+                if (-out.point.support >= along(out.normal, _behindA) - tolerance)
                 {
-                    var ofA:Number = acrossX * _behindA.x + acrossY * _behindA.y + acrossZ * _behindA.z;
-                    var ofB:Number = ofA + acrossX * x + acrossY * y + acrossZ * z;
-                    var fraction:Number = (line - ofA) / (ofB - ofA);
-                    out.point.x = _behindA.x + fraction * x;
-                    out.point.y = _behindA.y + fraction * y;
-                    out.point.z = _behindA.z + fraction * z;
                     out.isPointOfModel = model.tree == null;
-                    return fraction >= 0 && fraction <= 1;
+                    return findCrossing(out.point);
                 }
-                if (line > acrossX * out.point.x + acrossY * out.point.y + acrossZ * out.point.z)
-                {
-                    _behindB.copyFrom(out.point);
-                }
-                else
-                {
-                    _behindA.copyFrom(out.point);
-                }
+                var replaced:SupportPoint = _ridge > along(_across, out.point) ? _behindB : _behindA;
+                replaced.copyFrom(out.point);
             }
             return false;
+        }
+
+        // Finds the plane through the ridge that is parallel to the edge. Returns false if its normal is not between those of the two planes.
+        private function findPlane(a:GroundPlane, b:GroundPlane, out:GroundPlane):Boolean
+        {
+            var x:Number = _behindB.x - _behindA.x;
+            var y:Number = _behindB.y - _behindA.y;
+            var z:Number = _behindB.z - _behindA.z;
+            // the shares of the two normals in the one that is perpendicular to both edges
+            var shareA:Number = -(b.normal.x * x + b.normal.y * y + b.normal.z * z);
+            var shareB:Number = a.normal.x * x + a.normal.y * y + a.normal.z * z;
+            out.normal.x = shareA * a.normal.x + shareB * b.normal.x;
+            out.normal.y = shareA * a.normal.y + shareB * b.normal.y;
+            out.normal.z = shareA * a.normal.z + shareB * b.normal.z;
+            var length:Number = out.normal.normalize();
+            out.offset = (shareA * a.offset + shareB * b.offset) / length;
+            return shareA >= 0 && shareB >= 0 && length > 0;
+        }
+
+        // Finds the direction in the plane of the exit that leads from A to B across the ridge, and where the ridge is along it.
+        private function findAcross(a:GroundPlane, b:GroundPlane, exit:GroundPlane):void
+        {
+            var normal:Vector3D = exit.normal;
+            var x:Number = b.normal.x - a.normal.x;
+            var y:Number = b.normal.y - a.normal.y;
+            var z:Number = b.normal.z - a.normal.z;
+            var cosine:Number = x * normal.x + y * normal.y + z * normal.z;
+            _across.x = x - cosine * normal.x;
+            _across.y = y - cosine * normal.y;
+            _across.z = z - cosine * normal.z;
+            _ridge = b.offset - a.offset - cosine * exit.offset;
+        }
+
+        // Finds the point of the edge that is over the ridge. Returns false if the edge ends before it.
+        private function findCrossing(out:SupportPoint):Boolean
+        {
+            var x:Number = _behindB.x - _behindA.x;
+            var y:Number = _behindB.y - _behindA.y;
+            var z:Number = _behindB.z - _behindA.z;
+            var ofA:Number = along(_across, _behindA);
+            var ofB:Number = ofA + _across.x * x + _across.y * y + _across.z * z;
+            var fraction:Number = (_ridge - ofA) / (ofB - ofA);
+            out.x = _behindA.x + fraction * x;
+            out.y = _behindA.y + fraction * y;
+            out.z = _behindA.z + fraction * z;
+            return fraction >= 0 && fraction <= 1;
+        }
+
+        // The component of a point along a direction.
+        private static function along(direction:Vector3D, point:SupportPoint):Number
+        {
+            return direction.x * point.x + direction.y * point.y + direction.z * point.z;
         }
     }
 }

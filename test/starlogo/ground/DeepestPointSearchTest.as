@@ -30,8 +30,8 @@ package starlogo.ground
         private var _model:ModelPiece = new ModelPiece();
         private var _origin:Placement = new Placement();
         private var _ground:GroundSearch = new GroundSearch();
-        private var _exits:Vector.<GroundExit> = new <GroundExit>[new GroundExit(), new GroundExit()];
-        private var _out:GroundExit = _exits[0];
+        private var _planes:GroundPlanes = new GroundPlanes();
+        private var _out:GroundPlane = _planes.planes[0];
 
         // The ground, whose heights are a function of how far east and north of the middle they are. The middle is far from the origin.
         private var _grid:HeightGrid;
@@ -125,7 +125,7 @@ package starlogo.ground
                 });
             place(new Sphere(new Vector3D(), RADIUS), 0.02, 0, -0.5);
             assertEquals("found", 2, find());
-            assertClose(0, _exits[0].normal.x + _exits[1].normal.x, 1e-9, "normals");
+            assertClose(0, _planes.planes[0].normal.x + _planes.planes[1].normal.x, 1e-9, "normals");
             assertTrue("under", isPointUnder());
         }
 
@@ -227,7 +227,12 @@ package starlogo.ground
             _model.findWholeBox();
             // begins at the model's place
             _model.box.x = _model.box.y = 0;
-            return _search.beginUnder(_model, _ground, _out) ? _search.find(_model, _ground, new Vector3D(), _exits, 0) : 0;
+            _planes.clear();
+            if (_search.beginUnder(_model, _ground, _planes.next))
+            {
+                _search.addExit(_model, _ground, _planes);
+            }
+            return _planes.count;
         }
 
         private function isPointUnder():Boolean

@@ -3,7 +3,7 @@ package starlogo.ground
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
-    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
@@ -21,7 +21,7 @@ package starlogo.ground
 
         private var _random:SeededRandom = new SeededRandom(1811);
         private var _query:GroundModelQuery = new GroundModelQuery();
-        private var _search:GroundPushSearch = new GroundPushSearch(new DeepestPointSearch(), new GroundExits());
+        private var _search:GroundPushSearch = new GroundPushSearch();
         private var _model:ModelPiece = new ModelPiece();
         private var _ground:GroundSearch = new GroundSearch();
         private var _out:ContactPoint = new ContactPoint();
@@ -34,7 +34,8 @@ package starlogo.ground
                     return 0.3 * Math.abs(x);
                 });
             place(new Sphere(new Vector3D(), RADIUS), 0.01, 0.4, 0.2);
-            assertEquals(GroundPushSearch.FREE, find());
+            assertTrue("found", find());
+            assertTrue("free", _search.isFree);
             // where it touches both sides, its middle is this high
             var high:Number = RADIUS * Math.sqrt(1.09);
             assertClose(Math.sqrt(0.01 * 0.01 + (high - 0.2) * (high - 0.2)), _out.depth, 1e-8, "depth");
@@ -51,7 +52,8 @@ package starlogo.ground
                     return x < 1 ? 0 : 0.05;
                 });
             place(new Sphere(new Vector3D(), RADIUS), -0.2, 0.4, 0.2);
-            assertEquals(GroundPushSearch.FREE, find());
+            assertTrue("found", find());
+            assertTrue("free", _search.isFree);
             assertClose(0.1, _out.depth, 1e-8, "depth");
             assertClose(1, _out.normalZ, 1e-9, "normal");
         }
@@ -64,11 +66,11 @@ package starlogo.ground
                     return 0;
                 });
             place(new Sphere(new Vector3D(), RADIUS), 0, 0, RADIUS);
-            assertEquals("touches", GroundPushSearch.NONE, find());
+            assertFalse("touches", find());
             place(new Sphere(new Vector3D(), RADIUS), 0, 0, 1);
-            assertEquals("apart", GroundPushSearch.NONE, find());
+            assertFalse("apart", find());
             place(new Sphere(new Vector3D(), RADIUS), 100, 0, -1);
-            assertEquals("outside", GroundPushSearch.NONE, find());
+            assertFalse("outside", find());
         }
 
         // What planes say is what the test of the pieces says.
@@ -86,12 +88,12 @@ package starlogo.ground
                     });
                 var structure:BoundingStructure = structures.ofKind(i % 4, 1, 1);
                 place(structure, _random.between(-3, 3), _random.between(-3, 3), _random.between(-0.5, 1));
-                var answer:int = find();
-                if (answer != GroundPushSearch.NONE)
+                var isFound:Boolean = find();
+                if (isFound)
                 {
                     assertTrue(i + ": touches before the end", touchesAfter(structure, -PROBE));
                 }
-                if (answer == GroundPushSearch.FREE)
+                if (isFound && _search.isFree)
                 {
                     free++;
                     assertTrue(i + ": is free behind the end", !touchesAfter(structure, PROBE));
@@ -122,7 +124,7 @@ package starlogo.ground
             _model.setModel(null, structure, at, 1);
         }
 
-        private function find():int
+        private function find():Boolean
         {
             return _search.find(_model, _ground, PROBE, _out);
         }

@@ -1,7 +1,7 @@
 // The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap and
 // cavities. A shell is connected over edges, a component over vertices. Engines whose meshes are hollow need none of it.
 // 
-// An Interior answers. Its steps prepare it:
+// An Interior answers. A DepthMap tells it of most points outside that they are. Its steps prepare it:
 // VertexWelder      finds the vertices that are at the same place
 // then the SurfaceTopology is found, by four classes:
 // - ComponentFinder finds the components

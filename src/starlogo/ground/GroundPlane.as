@@ -3,10 +3,13 @@ package starlogo.ground
     import flash.geom.Vector3D;
     import starlogo.solid.SupportPoint;
 
-    /** A plane of the ground, and the point of a model that is farthest behind it and has to get out, as a record. All is relative to the search's origin. */
-    internal final class GroundExit
+    /**
+     * A plane of the ground, and the point of a model that is farthest behind it, as a record. The exit of this point leads along the normal to the plane. All is
+     * relative to the search's origin.
+     */
+    internal final class GroundPlane
     {
-        /** The plane: a unit vector out of the ground, and the component of the plane's points along it. */
+        /** A unit vector out of the ground, and the component of the plane's points along it. */
         public var normal:Vector3D = new Vector3D(0, 0, 1);
         public var offset:Number = 0;
 
@@ -18,8 +21,8 @@ package starlogo.ground
 
         private var _inwards:Vector3D = new Vector3D();
 
-        /** Becomes the same as another exit. */
-        public function copyFrom(other:GroundExit):void
+        /** Becomes the same as another plane. */
+        public function copyFrom(other:GroundPlane):void
         {
             normal.copyFrom(other.normal);
             offset = other.offset;
@@ -49,8 +52,8 @@ package starlogo.ground
             return normal.x * by.x + normal.y * by.y + normal.z * by.z - point.support;
         }
 
-        /** How far the point is under the ground after it has moved by a vector. Negative above it; NaN where no ground is. */
-        public function heightOver(search:GroundSearch, by:Vector3D):Number
+        /** How far the point is under the ground after it has moved by a vector. Negative above it; NaN where there is no ground. */
+        public function depthUnderGround(search:GroundSearch, by:Vector3D):Number
         {
             return search.grid.heightAt(point.x + by.x + search.origin.x, point.y + by.y + search.origin.y) - (point.z + by.z + search.origin.z);
         }

@@ -324,11 +324,11 @@ test("the types of functions are the same wherever they stand, what subclasses s
 	}
 });
 
-test("the package weighs 3 MB at most, and its map 1.2", () => {
+test("the package weighs 3.1 MB at most, and its map 1.2", () => {
 	const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((file) => file.isFile()).map((file) => path.join(file.parentPath ?? file.path, file.name));
 	const sizeOf = (some) => some.reduce((sum, file) => sum + statSync(file).size, 0);
 	const isMap = (file) => path.dirname(file) === path.join(folder, "maps");
-	assert.ok(sizeOf(files.filter((file) => !isMap(file))) < 3.05e6);
+	assert.ok(sizeOf(files.filter((file) => !isMap(file))) < 3.1e6);
 	assert.ok(sizeOf(files.filter(isMap)) < 1.2e6);
 });
 

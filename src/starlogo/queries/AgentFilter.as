@@ -56,10 +56,11 @@ package starlogo.queries
         {
             for (var i:int = 0; i < names.length; i++)
             {
-                if (!(names[i] is String))
+                var name:Object = names[i];
+                if (!(name is String))
                 {
-                    throw new ArgumentError("ofBreeds() takes names, one after the other, not " + (typeof names[i] == "object" && names[i] != null ? "the list or object " : "")
-                            + names[i]);
+                    var kind:String = name == null || name is Number ? "" : "the list or object ";
+                    throw new ArgumentError("ofBreeds() takes names, one after the other, not " + kind + name);
                 }
             }
             var filter:AgentFilter = new AgentFilter();

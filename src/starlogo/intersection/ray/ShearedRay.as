@@ -1,5 +1,6 @@
 package starlogo.intersection.ray
 {
+    import flash.geom.Vector3D;
     import starlogo.convex.TrianglePlane;
     import starlogo.geometry.Tolerances;
 
@@ -230,8 +231,8 @@ package starlogo.intersection.ray
             return true;
         }
 
-        // Whether the ray begins on the plane of a triangle up to the tolerance, so that only rounding puts the crossing before the ray. It is then where
-        // the ray begins. The triangle is not seen edge on.
+        // Whether the ray begins on a triangle up to the tolerance, so that only rounding puts the crossing before the ray. The crossing is then where the
+        // ray begins. The triangle is not seen edge on.
         private function beginsOn(points:Vector.<Number>, a:int, b:int, c:int, out:RayCrossing):Boolean
         {
             for (var i:int = 0; i < 3; i++)
@@ -243,7 +244,34 @@ package starlogo.intersection.ray
             _plane.setTriangle(_corners, 0);
             var gap:Number = (_ray.from - out.distance) * _plane.normal.dotProduct(_ray.direction);
             out.distance = _ray.from;
-            return !_plane.isFlat && Math.abs(gap) <= Tolerances.SURFACES * _radius;
+            return !_plane.isFlat && Math.abs(gap) <= Tolerances.SURFACES * _radius && beginsWithinEdges();
+        }
+
+        // Whether the ray begins within the edges of the triangle in _corners, as seen along its normal. A ray that runs nearly along the triangle may begin
+        // far beside it.
+        private function beginsWithinEdges():Boolean
+        {
+            var n:Vector3D = _plane.normal;
+            var x:Number = _ray.origin.x + _ray.from * _ray.direction.x;
+            var y:Number = _ray.origin.y + _ray.from * _ray.direction.y;
+            var z:Number = _ray.origin.z + _ray.from * _ray.direction.z;
+            for (var at:int = 0; at < 9; at += 3)
+            {
+                var next:int = (at + 3) % 9;
+                var edgeX:Number = _corners[next] - _corners[at];
+                var edgeY:Number = _corners[int(next + 1)] - _corners[int(at + 1)];
+                var edgeZ:Number = _corners[int(next + 2)] - _corners[int(at + 2)];
+                // towards the inside of the triangle, as long as the edge
+                var inX:Number = n.y * edgeZ - n.z * edgeY;
+                var inY:Number = n.z * edgeX - n.x * edgeZ;
+                var inZ:Number = n.x * edgeY - n.y * edgeX;
+                var inside:Number = inX * (x - _corners[at]) + inY * (y - _corners[int(at + 1)]) + inZ * (z - _corners[int(at + 2)]);
+                if (inside < -PLACE_TOLERANCES * Tolerances.SURFACES * _radius * Math.sqrt(inX * inX + inY * inY + inZ * inZ))
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a tolerance. Returns whether there is such a place

@@ -85,5 +85,26 @@ package starlogo.intersection.ray
             }
             assertTrue("begun behind the plane: " + atStart, atStart > 2000);
         }
+
+        [Test]
+        public function aRayNearlyAlongATriangleThatBeginsBesideItDoesNotMeetIt():void
+        {
+            var sheared:ShearedRay = new ShearedRay();
+            var corners:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0];
+            for each (var slope:Number in [1e-12, 1e-11, 1e-10])
+            {
+                for each (var x:Number in [0.79, 0.805])
+                {
+                    // the line crosses the plane 0.009 to 0.00009 before the ray begins
+                    var ray:Ray = new Ray();
+                    ray.origin.setTo(x, 0.2, 0.9e-14);
+                    ray.direction.setTo(1, 0, slope);
+                    var crossings:RayCrossings = new RayCrossings();
+                    sheared.setTo(ray, 1);
+                    sheared.addCrossing(corners, -1, crossings);
+                    assertEquals("from " + x + ", slope " + slope, x < 0.8 ? 1 : 0, crossings.count);
+                }
+            }
+        }
     }
 }

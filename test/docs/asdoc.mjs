@@ -73,7 +73,7 @@ const textOf = (html) => html.replace(/<[^>]*>|&nbsp;/g, ' ').replace(/\s+/g, ' 
 export function undescribedIn(html) {
 	const members = [...html.matchAll(/class="signatureLink">(\w+)<\/a>(?:(?!class="signatureLink")[^])*?<div class="summaryTableDescription">([^]*?)<\/div>/g)];
 	const listed = [...html.matchAll(/<td class="summaryTableSecondCol">(?:<i>)?<a [^>]*>([^<]*)<\/a>(?:<\/i>)?<\/td><td class="summaryTableLastCol">([^]*?)<\/td>/g)];
-	return [...members, ...listed].filter(([, , description]) => textOf(description).replace('[override]', '') === '').map(([, name]) => name);
+	return [...members, ...listed].filter(([, , description]) => textOf(description).replace(/\[[\w-]+\]/g, '').trim() === '').map(([, name]) => name);
 }
 
 /** The members on a page that are in the namespace engine. */

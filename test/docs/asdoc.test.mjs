@@ -8,7 +8,7 @@ const member = (name, description) => `<a href="#${name}()" class="signatureLink
 const listed = (name, description) => `<td class="summaryTableSecondCol"><a href="${name}.html" onclick="x">${name}</a></td><td class="summaryTableLastCol">${description}&nbsp;</td>`;
 
 test('names without a description are found', () => {
-	assert.deepEqual(undescribedIn(member('fit', ' Fits. ') + member('begin', '') + member('clone', '[override] ') + listed('Box', ' A box.') + listed('Ring', '')), ['begin', 'clone', 'Ring']);
+	assert.deepEqual(undescribedIn(member('fit', ' Fits. ') + member('begin', '') + member('clone', '[override] ') + member('size', '[read-only] ') + member('mass', '[read-only] The mass.') + listed('Box', ' A box.') + listed('Ring', '')), ['begin', 'clone', 'size', 'Ring']);
 });
 
 test('links that lead nowhere are found, and two of asdoc put right', () => {

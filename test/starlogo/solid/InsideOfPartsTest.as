@@ -51,6 +51,26 @@ package starlogo.solid
             assertTrue(isInside(model.vertices, model.triangles, [-0.2, 0.05, 0.5]));
         }
 
+        /** Half of the triangles of the inner cube face outwards and half inwards, so it counts as facing outwards. */
+        [Test]
+        public function aShellOfWhichHalfIsReversedBoundsNoCavity():void
+        {
+            var model:Model = SolidModels.of("nested", [[1, 0, 0, 0, false], [0.5, 0, 0, 0.25, true]], Model.AS_GIVEN);
+            var center:Array = [0.01, 0.02, 0.5];
+            assertFalse("a cavity", isInside(model.vertices, model.triangles, center));
+            for (var odd:int = 0; odd < 2; odd++)
+            {
+                var triangles:Vector.<uint> = new Vector.<uint>().concat(model.triangles);
+                for (var i:int = triangles.length / 2 + 3 * odd; i < triangles.length; i += 6)
+                {
+                    var corner:uint = triangles[i];
+                    triangles[i] = triangles[i + 1];
+                    triangles[i + 1] = corner;
+                }
+                assertTrue("reversed from " + odd, isInside(model.vertices, triangles, center));
+            }
+        }
+
         /** A file may have triangles twice, some of them reversed so that they are seen from both sides. */
         [Test]
         public function cavitiesStayHollowIfTrianglesAreDoubled():void

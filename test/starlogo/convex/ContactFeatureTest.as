@@ -26,7 +26,7 @@ package starlogo.convex
             assertEquals("of a triangle's side", "3,-2 5,-2", clipped([3, -4, 5, -4, 5, -2, 3, -2], [0, 0, 8, 0, 4, 6]));
         }
 
-        // The corners that are left, in the order of their coordinates.
+        // The corners that are left, in the order of their coordinates. Of those in one place up to rounding, one counts.
         private static function clipped(corners:Array, face:Array):String
         {
             var contact:ContactPoint = new ContactPoint();
@@ -36,7 +36,11 @@ package starlogo.convex
             var left:Array = [];
             for (var i:int = 0; i < feature.length; i += 3)
             {
-                left.push(Math.round(1e9 * feature.points[i]) / 1e9 + "," + Math.round(1e9 * feature.points[i + 1]) / 1e9);
+                var corner:String = Math.round(1e9 * feature.points[i]) / 1e9 + "," + Math.round(1e9 * feature.points[i + 1]) / 1e9;
+                if (left.indexOf(corner) < 0)
+                {
+                    left.push(corner);
+                }
             }
             return left.sort().join(" ");
         }

@@ -137,13 +137,13 @@ package starlogo.terrain
             return grid.cellWidth;
         }
 
-        /** Where the first height is. */
+        /** The x of the first height, in patches. */
         public function get x():Number
         {
             return grid.x;
         }
 
-        /** @copy #x */
+        /** The y of the first height, in patches. */
         public function get y():Number
         {
             return grid.y;

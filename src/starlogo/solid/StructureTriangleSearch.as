@@ -27,10 +27,10 @@ package starlogo.solid
         private var _kernel:TriangleKernel;
         private var _counts:TreeCounts;
 
-        // The extents of the moving structure at time 0, with all that is rounded: minX, maxX, minY, ...
-        private var _startExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        // The extents of the moving structure's core at time 0: minX, maxX, minY, ... The core of a round structure is a point or a segment.
+        private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The extents near which a triangle is tested: those of the motion until the latest time, or of the structure whose nearest triangle is sought.
+        // The extents near which a triangle is tested: of the core on its motion until the latest time, or of the structure whose nearest triangle is sought.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // Separates most triangles from the moving structure.
@@ -79,7 +79,7 @@ package starlogo.solid
 
         private function beginSweep(tree:BoxTree, structure:BoundingStructure, motion:RelativeMotion):void
         {
-            var extents:Vector.<Number> = _startExtents;
+            var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
             _first.reset();
             structure.extentsInto(extents);
@@ -93,28 +93,30 @@ package starlogo.solid
             var widening:Number = distance - shape.radius;
             for (i = 0; i < 6; i += 2)
             {
-                extents[i] -= widening;
-                extents[int(i + 1)] += widening;
+                _extents[i] = extents[i] - widening;
+                _extents[int(i + 1)] = extents[int(i + 1)] + widening;
+                extents[i] += shape.radius;
+                extents[int(i + 1)] -= shape.radius;
             }
+            _search.setExtents(_extents);
             _plane.cullDistance = _separatingAxes.cullDistance = distance;
             _separatingAxes.setTo(shape, motion);
             sweepExtents(motion);
-            _search.setExtents(extents);
             _search.beginMet(tree, BoxTree.EXACT, motion);
         }
 
-        // Writes the extents of the motion until its latest time.
+        // Writes the extents of the core on its motion until the latest time.
         private function sweepExtents(motion:RelativeMotion):void
         {
             var x:Number = motion.latestTime * motion.x;
             var y:Number = motion.latestTime * motion.y;
             var z:Number = motion.latestTime * motion.z;
-            _extents[0] = _startExtents[0] + Math.min(x, 0);
-            _extents[1] = _startExtents[1] + Math.max(x, 0);
-            _extents[2] = _startExtents[2] + Math.min(y, 0);
-            _extents[3] = _startExtents[3] + Math.max(y, 0);
-            _extents[4] = _startExtents[4] + Math.min(z, 0);
-            _extents[5] = _startExtents[5] + Math.max(z, 0);
+            _extents[0] = _coreExtents[0] + Math.min(x, 0);
+            _extents[1] = _coreExtents[1] + Math.max(x, 0);
+            _extents[2] = _coreExtents[2] + Math.min(y, 0);
+            _extents[3] = _coreExtents[3] + Math.max(y, 0);
+            _extents[4] = _coreExtents[4] + Math.min(z, 0);
+            _extents[5] = _coreExtents[5] + Math.max(z, 0);
         }
 
         // Offers the triangles of a leaf that are touched. The motion ends at the first touch so far, and a little later.
@@ -124,7 +126,7 @@ package starlogo.solid
             var end:int = tree.endPrimitive[leaf];
             for (var i:int = tree.firstPrimitive[leaf]; i < end; i++)
             {
-                if (!areExtentsWithin(0, _extents, tree, i))
+                if (!areExtentsWithin(_plane.cullDistance, _extents, tree, i))
                 {
                     continue;
                 }

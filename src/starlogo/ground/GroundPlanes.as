@@ -18,7 +18,7 @@ package starlogo.ground
         /** The shortest push out of them. Read only. */
         public var push:HalfSpaceSolver = new HalfSpaceSolver();
 
-        /** Where the model is tried: a little farther than the push leads. Read only. */
+        /** Where the model is tried: near the end of the push. Read only. */
         public var displacement:Vector3D = new Vector3D();
 
         public function GroundPlanes()
@@ -71,18 +71,19 @@ package starlogo.ground
             return false;
         }
 
-        /** Finds the push, and where the model is tried. Returns whether there is a push. */
-        public function solve(farther:Number):Boolean
+        /** Finds the push. Returns whether there is one. */
+        public function solve():Boolean
         {
-            if (!(push.solve() && push.distance > 0))
-            {
-                return false;
-            }
+            return push.solve() && push.distance > 0;
+        }
+
+        /** Sets where the model is tried: so far behind the end of the push, or before it. */
+        public function displace(farther:Number):void
+        {
             var scale:Number = 1 + farther / push.distance;
             displacement.x = scale * push.displacement.x;
             displacement.y = scale * push.displacement.y;
             displacement.z = scale * push.displacement.z;
-            return true;
         }
     }
 }

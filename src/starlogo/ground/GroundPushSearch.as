@@ -48,10 +48,11 @@ package starlogo.ground
             }
             while (separation == GroundSeparation.BLOCKED)
             {
-                if (!_planes.hasRoom || !addExit(model, search) || !_planes.solve(probe) || _planes.push.distance <= MIN_PROBES * probe)
+                if (!_planes.hasRoom || !addExit(model, search) || !_planes.solve() || _planes.push.distance <= MIN_PROBES * probe)
                 {
                     return false;
                 }
+                _planes.displace(probe);
                 separation = _separation.find(model, search, probe / 4);
             }
             isFree = separation == GroundSeparation.SEPARATED;
@@ -88,7 +89,7 @@ package starlogo.ground
             out.depth = depth;
             out.forget();
             // a little before the end
-            _planes.solve(-probe);
+            _planes.displace(-probe);
             for (var i:int = 0; i < _planes.count; i++)
             {
                 var plane:GroundPlane = _planes.planes[i];

@@ -59,7 +59,7 @@ package starlogo.queries
                 var name:Object = names[i];
                 if (!(name is String))
                 {
-                    var kind:String = name == null || name is Number ? "" : "the list or object ";
+                    var kind:String = name != null && typeof name == "object" ? "the list or object " : "";
                     throw new ArgumentError("ofBreeds() takes names, one after the other, not " + kind + name);
                 }
             }

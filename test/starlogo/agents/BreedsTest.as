@@ -124,6 +124,7 @@ package starlogo.agents
             assertThrows(ArgumentError, /not the list or object cats$/, AgentFilter.ofBreeds, new <String>["cats"]);
             assertThrows(ArgumentError, /not 5$/, AgentFilter.ofBreeds, "cats", 5);
             assertThrows(ArgumentError, /not null$/, AgentFilter.ofBreeds, null);
+            assertThrows(ArgumentError, /not true$/, AgentFilter.ofBreeds, true);
             assertEquals(0, AgentFilter.ofBreeds().breeds.length);
         }
 

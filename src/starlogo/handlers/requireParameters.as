@@ -1,6 +1,6 @@
 package starlogo.handlers
 {
-    import starlogo.data.warn;
+    import starlogo.data.warnOfNoParameters;
 
     /**
      * Checks that a handler can be called with two agents, or with two agents and a contact. A function without named parameters passes,
@@ -15,12 +15,8 @@ package starlogo.handlers
     public function requireParameters(breed:String, otherBreed:String, callback:Function, phase:int):void
     {
         var count:int = callback.length;
-        if (count == 0)
-        {
-            warn("the handler for \"" + breed + "\" and \"" + otherBreed + "\" has no parameters. If it is function():void, Adobe's player throws an "
-                    + "ArgumentError when it is called, and other players may not: write function(collider:Agent, collidee:Agent):void. "
-                    + "If it is function(...all):void, nothing is wrong");
-        }
+        var handler:String = "the handler for \"" + breed + "\" and \"" + otherBreed + "\"";
+        warnOfNoParameters(callback, handler, "collider:Agent, collidee:Agent", "void");
         if (count == 1 || count > 3)
         {
             var allowed:String = "two agents, or two agents and a contact: function(collider:Agent, collidee:Agent):void or "
@@ -29,7 +25,7 @@ package starlogo.handlers
             {
                 allowed = "two agents: function(collider:Agent, collidee:Agent):void";
             }
-            throw new ArgumentError("the handler for \"" + breed + "\" and \"" + otherBreed + "\" has " + count + " parameter"
+            throw new ArgumentError(handler + " has " + count + " parameter"
                     + (count == 1 ? "" : "s") + ", and gets " + allowed);
         }
     }

@@ -3,6 +3,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
     import starlogo.agents.warnOfBreeds;
+    import starlogo.data.warnOfNoParameters;
     import starlogo.engine;
 
     use namespace engine;
@@ -81,7 +82,7 @@ package starlogo.queries
         {
             warnOfBreeds(breeds, agents);
             warnOfBreeds(exceptBreeds, agents);
-            warnOfNoParameters(accepts);
+            warnOfNoParameters(accepts, "accepts of a filter", "agent:Agent", "Boolean");
         }
     }
 }

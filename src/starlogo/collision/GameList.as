@@ -24,10 +24,10 @@ package starlogo.collision
         }
 
         /**
-         * Whether both agents of a pair are still in the list. An agent that is missing once stays away for the rest of the frame. The ground and the
+         * Looks for both agents of a pair in the list. Returns whether they are still there. An agent that is missing once stays away for the rest of the frame. The ground and the
          * edges of the world are always there. They come second in a pair.
          */
-        public function hasBoth(pairs:FoundPairs, pair:int):Boolean
+        public function findBoth(pairs:FoundPairs, pair:int):Boolean
         {
             var second:int = pairs.rows[2 * pair + 1];
             return findIndex(pairs.listed, pairs.rows[2 * pair]) >= 0 && (second < ListedAgents.FIRST_LISTED || findIndex(pairs.listed, second) >= 0);

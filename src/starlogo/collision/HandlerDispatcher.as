@@ -168,7 +168,7 @@ package starlogo.collision
             var touch:Touch = _tracker.touchAt(pair);
             if (touch == null)
             {
-                if (!_gameList.hasBoth(_pairs, pair))
+                if (!_gameList.findBoth(_pairs, pair))
                 {
                     return;
                 }
@@ -197,7 +197,7 @@ package starlogo.collision
             {
                 var handler:CollisionHandler = handlers[_nextHandler];
                 var isOfPhases:Boolean = (handler.phase & phases) != 0;
-                if (isOfPhases && pair != NO_PAIR && !_gameList.hasBoth(_pairs, pair))
+                if (isOfPhases && pair != NO_PAIR && !_gameList.findBoth(_pairs, pair))
                 {
                     return;
                 }

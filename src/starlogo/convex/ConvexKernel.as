@@ -30,8 +30,8 @@ package starlogo.convex
         private var _cores:CorePair = new CorePair();
         private var _result:GjkResult = new GjkResult();
 
-        // The gap of two balls, one around each shape of a sweep. Its radiusA is that of both together, its radiusB stays 0.
-        private var _balls:CoreGap = new CoreGap();
+        // The gap of two balls, one around each shape of a sweep.
+        private var _balls:BallGap = new BallGap();
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
@@ -114,7 +114,7 @@ package starlogo.convex
             _balls.x = a.origin.x - b.origin.x + motion.startX;
             _balls.y = a.origin.y - b.origin.y + motion.startY;
             _balls.z = a.origin.z - b.origin.z + motion.startZ;
-            _balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.boundingRadius + cores.second.boundingRadius);
+            _balls.touchDistance = Tolerances.OUTER * (cores.searchLimit + cores.first.boundingRadius + cores.second.boundingRadius);
             findTimeOfImpactOfSpheres(_balls, motion);
             motion.time = motion.earliestTime > motion.time ? motion.earliestTime : motion.time;
         }

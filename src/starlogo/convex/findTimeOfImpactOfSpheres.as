@@ -4,18 +4,18 @@ package starlogo.convex
 
     /**
      * Finds when two spheres first touch, in closed form: the path of one centre enters a sphere around the other centre. The radius of that
-     * sphere is the sum of both radii. The nearest point of the path comes first, so that no digits cancel when the path begins far away.
+     * sphere is the touch distance. The nearest point of the path comes first, so that no digits cancel when the path begins far away.
      *
-     * @param gap the vector from the other centre to the moving one at time 0, and both radii
+     * @param gap the vector from the other centre to the moving one at time 0, and the touch distance
      * @param motion the motion of the one centre; its start is not used. Receives the time
      * @private
      */
-    public function findTimeOfImpactOfSpheres(gap:CoreGap, motion:RelativeMotion):void
+    public function findTimeOfImpactOfSpheres(gap:BallGap, motion:RelativeMotion):void
     {
         var x:Number = gap.x;
         var y:Number = gap.y;
         var z:Number = gap.z;
-        var squaredRadius:Number = gap.radiusA + gap.radiusB;
+        var squaredRadius:Number = gap.touchDistance;
         squaredRadius *= squaredRadius;
         if (x * x + y * y + z * z <= squaredRadius)
         {

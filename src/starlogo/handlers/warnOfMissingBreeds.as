@@ -2,7 +2,6 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.data.isProbablyMisspelt;
     import starlogo.data.warn;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
@@ -42,36 +41,9 @@ package starlogo.handlers
                 missing.push(names[i]);
             }
         }
-        // a name without case, and without a plural's s
-        var stemOf:Function = function(name:String):String
-        {
-            return name.toLowerCase().replace(/s$/, "");
-        };
-        // what may be meant by a breed: one of a similar name, or the shape of that name; null if there is neither
-        var hintFor:Function = function(name:String):String
-        {
-            for (var number:int = 0; number < isThere.length; number++)
-            {
-                var breed:String = Breeds.NAMES.nameOf(number);
-                var mayBeMeant:Boolean = isThere[number] && (Breeds.isEnvironment(number) || interests == null || !interests.isNamed(number)
-                        || stemOf(name) == stemOf(breed));
-                if (mayBeMeant && isProbablyMisspelt(name, breed))
-                {
-                    return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
-                }
-            }
-            for each (var agent:Agent in agents)
-            {
-                if (agent != null && agent.shape == name)
-                {
-                    return ", which is the shape of " + agent + ": new Agent(\"" + name + "\", \"BREED\") gives it a breed";
-                }
-            }
-            return null;
-        };
         for each (var name:String in missing)
         {
-            var hint:String = hintFor(name);
+            var hint:String = BreedHints.hintFor(name, isThere, agents, interests);
             if (hint != null)
             {
                 warn("no agent is of the breed \"" + name + "\"" + hint);

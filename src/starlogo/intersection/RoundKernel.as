@@ -5,6 +5,7 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.BallGap;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ConservativeAdvancement;
     import starlogo.convex.ContactPoint;
@@ -35,6 +36,9 @@ package starlogo.intersection
         private var _axes:SegmentPair = new SegmentPair();
         private var _axisAtBox:BoxSegment = new BoxSegment();
 
+        // The gap of two spheres.
+        private var _balls:BallGap = new BallGap();
+
         private var _step:ConservativeAdvancement = new ConservativeAdvancement();
 
         /** @param convex finds the contact if there is hardly any gap, and the time of impact if there is hardly any radius */
@@ -51,7 +55,12 @@ package starlogo.intersection
             if (b.kind == BoundingStructure.SPHERE)
             {
                 findGap(a, b, motion, gap);
-                findTimeOfImpactOfSpheres(gap.cores, motion);
+                var cores:CoreGap = gap.cores;
+                _balls.x = cores.x;
+                _balls.y = cores.y;
+                _balls.z = cores.z;
+                _balls.touchDistance = cores.radiusA + cores.radiusB;
+                findTimeOfImpactOfSpheres(_balls, motion);
                 return;
             }
             var margins:Number = motion.margin;

@@ -81,7 +81,7 @@ package starlogo.search
          */
         public function tryFindRows(input:SearchInput):Boolean
         {
-            if (!areFew(_table.changed.count + _table.listed.leftOrReordered.count + _motions.rowsToRetest.count))
+            if (!areFew(_table.changes.rows.count + _table.listed.leftOrReordered.count + _motions.rowsToRetest.count))
             {
                 return false;
             }
@@ -103,7 +103,7 @@ package starlogo.search
         private function findRows(input:SearchInput):void
         {
             changedRows.clear(_table.listed.rowCapacity);
-            changedRows.addAll(_table.changed);
+            changedRows.addAll(_table.changes.rows);
             changedRows.addAll(_table.listed.leftOrReordered);
             changedRows.addAll(_motions.rowsToRetest);
             for (var row:int = _areMembers.length; row < _table.listed.rowCapacity; row++)

@@ -56,7 +56,7 @@ package starlogo.search
         public function read():void
         {
             rowsToRetest.count = 0;
-            if (anySweeps != _table.anySweeps)
+            if (anySweeps != _table.changes.anySweeps)
             {
                 rowsToRetest.copyFrom(_table.listed.rows);
             }
@@ -64,11 +64,11 @@ package starlogo.search
             {
                 rowsToRetest.copyFrom(_changed);
             }
-            anySweeps = _table.anySweeps;
+            anySweeps = _table.changes.anySweeps;
             if (anySweeps)
             {
                 makeRoom(_table.listed.rowCapacity);
-                _changed.copyFrom(_table.changed);
+                _changed.copyFrom(_table.changes.rows);
                 // rows that have not changed since stand still
                 readMotions(rowsToRetest);
                 readMotions(_changed);

@@ -5,6 +5,7 @@ package starlogo.search.pairs
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
+    import starlogo.convex.BallGap;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
@@ -33,9 +34,8 @@ package starlogo.search.pairs
 
         private var _counts:SearchCounts;
 
-        // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch, with all that
-        // Touching names. So the time of impact includes that too.
-        private var _gap:CoreGap = new CoreGap();
+        // The gap for touches and their times. Its touch distance has all that Touching names.
+        private var _gap:BallGap = new BallGap();
 
         // The gap for contacts and closest points.
         private var _centers:CoreGap = new CoreGap();
@@ -161,7 +161,7 @@ package starlogo.search.pairs
             return isClosed(_gap);
         }
 
-        private static function readGap(a:Body, b:Body, out:CoreGap):void
+        private static function readGap(a:Body, b:Body, out:BallGap):void
         {
             // not Body.margin, because V8 makes an object for the Number of a getter
             var marginA:Number = Touching.marginOfPlace(a.placement.x, a.placement.y, a.placement.z);
@@ -169,10 +169,10 @@ package starlogo.search.pairs
             out.x = a.middleX - b.middleX;
             out.y = a.middleY - b.middleY;
             out.z = a.middleZ - b.middleZ;
-            out.radiusA = (a.halfX + b.halfX) * Tolerances.TOUCHING + (marginA + marginB);
+            out.touchDistance = (a.halfX + b.halfX) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
-        private static function readGapOfRows(table:AgentTable, a:int, b:int, out:CoreGap):void
+        private static function readGapOfRows(table:AgentTable, a:int, b:int, out:BallGap):void
         {
             var extents:Extents = table.extents;
             var places:Points = table.places;
@@ -181,16 +181,16 @@ package starlogo.search.pairs
             out.x = extents.x[a] - extents.x[b];
             out.y = extents.y[a] - extents.y[b];
             out.z = extents.z[a] - extents.z[b];
-            out.radiusA = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
+            out.touchDistance = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
-        private static function isClosed(gap:CoreGap):Boolean
+        private static function isClosed(gap:BallGap):Boolean
         {
-            return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z <= gap.radiusA * gap.radiusA;
+            return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z <= gap.touchDistance * gap.touchDistance;
         }
 
         // Finds the time at which two spheres first touch. The gap is that at the end of the motion, and becomes that at its beginning.
-        private function sweep(gap:CoreGap, motion:RelativeMotion):void
+        private function sweep(gap:BallGap, motion:RelativeMotion):void
         {
             var areTouchingAtEnd:Boolean = isClosed(gap);
             _counts.structures[TWO_SPHERES]++;
@@ -198,7 +198,7 @@ package starlogo.search.pairs
             gap.y += motion.startY;
             gap.z += motion.startZ;
             // The margin of the motion. Its start is 0 or the reverse of it: see Touching.
-            gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            gap.touchDistance += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             findTimeOfImpactOfSpheres(gap, motion);
             // rounding can miss a touch at the end of a motion that is far shorter than the two
             if (motion.time == RelativeMotion.NEVER && areTouchingAtEnd)

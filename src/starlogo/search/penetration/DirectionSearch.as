@@ -112,14 +112,14 @@ package starlogo.search.penetration
                 return false;
             }
             begin(_parting, cosine * contact.depth + _pair.tolerance);
-            return !areTouchingAtOuter();
+            return tryDepth(_outer);
         }
 
         // Increases the outer distance by a step until the two do not touch there. Each step is twice as long as the one before. Returns whether they were
         // free at the first outer distance.
         private function growOuter(step:Number):Boolean
         {
-            while (areTouchingAtOuter() && _outer < MAX_DISTANCE)
+            while (!tryDepth(_outer) && _outer < MAX_DISTANCE)
             {
                 _inner = _outer;
                 _outer += step;
@@ -153,14 +153,14 @@ package starlogo.search.penetration
         {
             for (var i:int = 0; i < MAX_HALVINGS && _outer - _inner > width; i++)
             {
-                _tried.depth = (_inner + _outer) / 2;
-                if (_pair.touchesAfter(_tried))
+                var middle:Number = (_inner + _outer) / 2;
+                if (tryDepth(middle))
                 {
-                    _inner = _tried.depth;
+                    _outer = middle;
                 }
                 else
                 {
-                    _outer = _tried.depth;
+                    _inner = middle;
                 }
             }
         }
@@ -172,21 +172,22 @@ package starlogo.search.penetration
             begin(out, out.depth + probe);
             if (growOuter(probe))
             {
-                _tried.depth = out.depth - probe;
-                if (_tried.depth <= 0 || _pair.touchesAfter(_tried))
+                var shorter:Number = out.depth - probe;
+                if (shorter <= 0 || !tryDepth(shorter))
                 {
                     return;
                 }
-                _outer = _tried.depth;
+                _outer = shorter;
             }
             bisect(probe);
             out.depth = (_outer + _inner) / 2;
         }
 
-        private function areTouchingAtOuter():Boolean
+        // Displaces the first body along the direction. Returns whether it is free there.
+        private function tryDepth(depth:Number):Boolean
         {
-            _tried.depth = _outer;
-            return _pair.touchesAfter(_tried);
+            _tried.depth = depth;
+            return _pair.tryPush(_tried);
         }
     }
 }

@@ -111,7 +111,7 @@ package starlogo.search.penetration
          */
         public function findGrazing(motion:RelativeMotion, out:ContactPoint):Boolean
         {
-            if (!touchesAfterStart(motion) || areTouching())
+            if (!touchesOnTheWay(motion) || areTouching())
             {
                 return false;
             }
@@ -126,7 +126,7 @@ package starlogo.search.penetration
         }
 
         /** Whether the first body moves, and touches the second only after the motion's beginning. */
-        internal static function touchesAfterStart(motion:RelativeMotion):Boolean
+        internal static function touchesOnTheWay(motion:RelativeMotion):Boolean
         {
             return motion.time > 0 && !motion.isStill;
         }
@@ -160,11 +160,11 @@ package starlogo.search.penetration
             first.moveTo(_place);
         }
 
-        /** Displaces the first body by a push. Returns whether it touches the second one there. */
-        public function touchesAfter(push:ContactPoint):Boolean
+        /** Displaces the first body by a push. Returns whether it is free of the second one there. */
+        public function tryPush(push:ContactPoint):Boolean
         {
             displace(push);
-            return areTouching();
+            return !areTouching();
         }
 
         /** Whether the two touch where the first one is. */

@@ -72,7 +72,7 @@ package starlogo.search.penetration
             out.depth = Infinity;
             _pushOut.begin();
             var isPushed:Boolean = _pushOut.findPush(_contact, Infinity, out);
-            if (DisplacedPair.touchesAfterStart(motion) && out.depth > DirectionSearch.MIN_DEPTH_TO_IMPROVE * _pair.largestExtent)
+            if (DisplacedPair.touchesOnTheWay(motion) && out.depth > DirectionSearch.MIN_DEPTH_TO_IMPROVE * _pair.largestExtent)
             {
                 _guess.copyFrom(_contact);
                 _guess.setNormalAgainst(motion);
@@ -116,7 +116,7 @@ package starlogo.search.penetration
                 return;
             }
             _guess.depth = out.depth - _pair.tolerance;
-            if (_guess.depth > 0 && !_pair.touchesAfter(_guess))
+            if (_guess.depth > 0 && _pair.tryPush(_guess))
             {
                 _directions.shorten(_guess, out);
             }

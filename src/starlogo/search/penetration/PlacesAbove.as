@@ -122,7 +122,7 @@ package starlogo.search.penetration
             }
             _tried.setNormal(x / length, y / length, z / length);
             _tried.depth = length + beyond;
-            if (_pair.touchesAfter(_tried))
+            if (!_pair.tryPush(_tried))
             {
                 return false;
             }

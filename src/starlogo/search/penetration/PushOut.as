@@ -78,7 +78,7 @@ package starlogo.search.penetration
             addContact(contact);
             while (_push.distance <= maxLength && _push.distance < Infinity && count <= MAX_CONTACTS)
             {
-                if (tryPush())
+                if (tryPushAndBeyond())
                 {
                     writePush(out);
                     return true;
@@ -98,7 +98,7 @@ package starlogo.search.penetration
             _push.solve();
         }
 
-        // Adds the contact where a push is blocked: tryPush() has left the first body there.
+        // Adds the contact where a push is blocked: tryPushAndBeyond() has left the first body there.
         private function addBlockedPush():void
         {
             blockedPlaces[blockedEnd++] = _push.displacement.x;
@@ -120,23 +120,23 @@ package starlogo.search.penetration
         }
 
         // Tries the push at its end and a little farther, until the two touch. Leaves the body where it was tried last. Returns whether it is free.
-        private function tryPush():Boolean
+        private function tryPushAndBeyond():Boolean
         {
             // beyond its end, a push out of several contacts may lead into one of them again
             var isOfSeveral:Boolean = _push.planeCount > 1;
             _tried.setNormal(_push.displacement.x / _push.distance, _push.displacement.y / _push.distance, _push.displacement.z / _push.distance);
             _tried.depth = _push.distance;
-            if (isOfSeveral && _pair.touchesAfter(_tried))
+            if (isOfSeveral && !_pair.tryPush(_tried))
             {
                 return false;
             }
             _tried.depth = _push.distance + _pair.probeDistance;
-            if (_pair.touchesAfter(_tried))
+            if (!_pair.tryPush(_tried))
             {
                 return false;
             }
             _tried.depth = _push.distance + _pair.minOpening;
-            return !(isOfSeveral && _pair.touchesAfter(_tried));
+            return !isOfSeveral || _pair.tryPush(_tried);
         }
 
         // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.
@@ -145,7 +145,7 @@ package starlogo.search.penetration
             out.setNormal(_tried.normalX, _tried.normalY, _tried.normalZ);
             out.depth = _push.distance;
             _tried.depth = _push.distance - _pair.probeDistance;
-            if (_tried.depth > 0 && !_pair.touchesAfter(_tried))
+            if (_tried.depth > 0 && _pair.tryPush(_tried))
             {
                 _directions.shorten(_tried, out);
             }

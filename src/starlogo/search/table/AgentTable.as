@@ -48,14 +48,11 @@ package starlogo.search.table
         /** By row: the extents of the row's body at that place, copied for the bins. */
         engine var extents:Extents = new Extents();
 
-        /** Whether an agent of the list sweeps. */
-        engine var anySweeps:Boolean = false;
-
         /** The number of rows read last whose models are still loading. */
         engine var loadingCount:int = 0;
 
-        /** The rows that the last list has changed: their agents have, or their models were replaced. */
-        engine var changed:IntList = new IntList();
+        /** What the last list has changed. */
+        engine var changes:ListChanges = new ListChanges();
 
         /** The rows of the ground and the edges of the world. */
         engine var environment:EnvironmentRows;
@@ -70,8 +67,7 @@ package starlogo.search.table
         private var _bodies:Vector.<Body> = new Vector.<Body>();
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
-        // The list indices of the agents whose bodies have changed, and the shapes that these agents have now: null while a model is loading.
-        private var _reshaped:IntList = new IntList();
+        // The shapes that the agents whose bodies have changed (changes.reshaped) have now. A shape is null while its model is loading.
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         /**
@@ -105,12 +101,12 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;
-            var isOtherList:Boolean = agents.length != listed.rows.count || !tryFindChanged(agents, listed.rows);
+            var isOtherList:Boolean = agents.length != listed.rows.count || !tryFindChanges(agents, listed.rows, changes);
             if (isOtherList)
             {
                 listed.propose(agents);
                 makeRoom();
-                tryFindChanged(agents, listed.proposed);
+                tryFindChanges(agents, listed.proposed, changes);
             }
             findNewShapes(agents);
             // from here on nothing is refused
@@ -125,9 +121,9 @@ package starlogo.search.table
         /** Reads the places and the breeds of the rows that have changed. Throws nothing. */
         public function readPlaces():void
         {
-            for (var i:int = 0; i < changed.count; i++)
+            for (var i:int = 0; i < changes.rows.count; i++)
             {
-                var row:int = changed.values[i];
+                var row:int = changes.rows.values[i];
                 var agent:Agent = listed.agentsByRow[row];
                 breeds[row] = agent.breedNumber;
                 writePlace(row, agent);
@@ -238,9 +234,9 @@ package starlogo.search.table
             return shapes[row] != null && !shapes[row].isStale && listed.agentsByRow[row].bodyRevision == _bodyRevisions[row];
         }
 
-        // Finds the rows whose agents have changed since the last search (changed), the list indices of those whose bodies have (_reshaped), and whether an
-        // agent sweeps. Returns false if a row has another agent. It compares them in the same loop, because a second one makes still frames slower.
-        private function tryFindChanged(agents:Vector.<Agent>, rowList:IntList):Boolean
+        // Finds what has changed since the last search. Returns false if a row has another agent. It compares them in the same loop, because a second one
+        // makes still frames slower.
+        private function tryFindChanges(agents:Vector.<Agent>, rowList:IntList, out:ListChanges):Boolean
         {
             var rows:Vector.<int> = rowList.values;
             var byRow:Vector.<Agent> = listed.agentsByRow;
@@ -250,7 +246,7 @@ package starlogo.search.table
             var end:int = agents.length;
             var readsAll:Boolean = _arePlacesRestored;
             var isSweeping:Boolean = false;
-            changed.count = _reshaped.count = 0;
+            out.rows.count = out.reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
@@ -267,22 +263,22 @@ package starlogo.search.table
                 {
                     if (isShapeStale || agent.bodyRevision != bodiesSeen[row])
                     {
-                        _reshaped.add(i);
+                        out.reshaped.add(i);
                     }
-                    changed.add(row);
+                    out.rows.add(row);
                 }
             }
-            anySweeps = isSweeping;
+            out.anySweeps = isSweeping;
             return true;
         }
 
         // Empties the rows of agents that have left. So a new agent finds an empty row.
         private function emptyLeftRows():void
         {
-            var changes:IntList = listed.leftOrReordered;
-            for (var i:int = 0; i < changes.count; i++)
+            var left:IntList = listed.leftOrReordered;
+            for (var i:int = 0; i < left.count; i++)
             {
-                var row:int = changes.values[i];
+                var row:int = left.values[i];
                 if (listed.agentsByRow[row] == null)
                 {
                     shapes[row] = null;
@@ -313,9 +309,9 @@ package starlogo.search.table
         // Finds the shapes of the agents whose bodies have changed. One may be refused.
         private function findNewShapes(agents:Vector.<Agent>):void
         {
-            for (var i:int = 0; i < _reshaped.count; i++)
+            for (var i:int = 0; i < changes.reshaped.count; i++)
             {
-                _newShapes[i] = _choice.shapeOf(agents[_reshaped.values[i]]);
+                _newShapes[i] = _choice.shapeOf(agents[changes.reshaped.values[i]]);
             }
         }
 
@@ -348,9 +344,9 @@ package starlogo.search.table
         private function writeNewShapes():void
         {
             loadingCount = 0;
-            for (var i:int = 0; i < _reshaped.count; i++)
+            for (var i:int = 0; i < changes.reshaped.count; i++)
             {
-                var row:int = listed.rows.values[_reshaped.values[i]];
+                var row:int = listed.rows.values[changes.reshaped.values[i]];
                 var before:ModelShape = shapes[row];
                 var next:ModelShape = _newShapes[i];
                 // a replaced model must not be kept

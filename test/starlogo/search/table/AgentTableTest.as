@@ -108,7 +108,7 @@ package starlogo.search.table
             assertEquals("the agent is as it was", revision, agent.revision);
             assertTrue(_table.isMotionStart(row));
             _table.readBodies(_agents);
-            assertEquals("rows to read", _agents.length, _table.changed.count);
+            assertEquals("rows to read", _agents.length, _table.changes.rows.count);
             assertEquals(2, _table.places.x[row]);
             _table.readPlaces();
             assertEquals(5, _table.places.x[row]);

@@ -20,7 +20,7 @@ package starlogo.ground
         private var _planes:GroundPlanes;
         private var _facet:GroundFacet = new GroundFacet();
 
-        // The box around the displaced model.
+        // The box around the displaced model, and the gap beside it.
         private var _box:GroundBox = new GroundBox();
 
         // How far a plane must be from the model, or from the facet.
@@ -51,6 +51,9 @@ package starlogo.ground
             box.x += _planes.displacement.x;
             box.y += _planes.displacement.y;
             box.z += _planes.displacement.z;
+            // ground that is less than the gap away is not apart either
+            box.halfX += gap;
+            box.halfY += gap;
             var firstColumn:int = Math.max(0, Math.floor((box.x - box.halfX - beginX) / width));
             var firstRow:int = Math.max(0, Math.floor((box.y - box.halfY - beginY) / width));
             var lastColumn:int = Math.min(grid.lastCellColumn, Math.floor((box.x + box.halfX - beginX) / width));

@@ -5,6 +5,11 @@ package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.data.IntSet;
+    import starlogo.data.resizedInts;
+    import starlogo.data.resizedNumbers;
+    import starlogo.data.zeroedInts;
+    import starlogo.data.zeroedNumbers;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -48,25 +53,25 @@ package starlogo.hierarchy
         public var cornerOffsets:Vector.<int> = null;
 
         /** Six numbers for each node: the middle of its box (x, y, z), and half of the box's extents. */
-        public var boxes:Vector.<Number> = new Vector.<Number>();
+        public var boxes:Vector.<Number> = zeroedNumbers(0);
 
         /** For each node, its left child, which is on the low side of the split. The right child is the next node. 0 if the node has no children. */
-        public var left:Vector.<int> = new Vector.<int>();
+        public var left:Vector.<int> = zeroedInts(0);
 
         /** For each node, the index of its first primitive. */
-        public var firstPrimitive:Vector.<int> = new Vector.<int>();
+        public var firstPrimitive:Vector.<int> = zeroedInts(0);
 
         /** For each node, the index after that of its last one. */
-        public var endPrimitive:Vector.<int> = new Vector.<int>();
+        public var endPrimitive:Vector.<int> = zeroedInts(0);
 
         /**
          * For each node, the largest depth of the searches whose leaf it is: EXACT for a node without children, LEAVES for any other leaf of the thesis or
          * node below one, its level for a node above these.
          */
-        public var leafUpToDepth:Vector.<int> = new Vector.<int>();
+        public var leafUpToDepth:Vector.<int> = zeroedInts(0);
 
         /** For each node, four times its level plus the axis along which it is split: see <code>levelOf()</code> and <code>axisOf()</code>. */
-        internal var levelAndAxis:Vector.<int> = new Vector.<int>();
+        internal var levelAndAxis:Vector.<int> = zeroedInts(0);
 
         /** The radius of the sphere around the root's box. Set with that box. */
         public var boundingRadius:Number = 0;
@@ -117,7 +122,7 @@ package starlogo.hierarchy
             {
                 return;
             }
-            cornerOffsets = new Vector.<int>(3 * primitives.length, true);
+            cornerOffsets = zeroedInts(3 * primitives.length);
             for (var index:int = 0; index < primitives.length; index++)
             {
                 for (var corner:int = 0; corner < 3; corner++)
@@ -189,23 +194,23 @@ package starlogo.hierarchy
         /**
          * The number of vertices of a node's primitives. Each vertex is counted once.
          *
+         * @param counted a set for the count; loses what it has
          * @param enough the count may end when it is more than this
          */
-        public function countVertices(node:int, enough:int = int.MAX_VALUE):int
+        public function countVertices(node:int, counted:IntSet, enough:int = int.MAX_VALUE):int
         {
             if (!hasTriangles)
             {
                 return endPrimitive[node] - firstPrimitive[node];
             }
-            var isCounted:Object = {};
+            counted.clear(vertices.length / 3);
             var count:int = 0;
             for (var i:int = firstPrimitive[node]; i < endPrimitive[node] && count <= enough; i++)
             {
                 for (var corner:int = 3 * primitives[i]; corner < 3 * primitives[i] + 3; corner++)
                 {
-                    if (isCounted[triangles[corner]] == undefined)
+                    if (counted.add(triangles[corner]))
                     {
-                        isCounted[triangles[corner]] = true;
                         count++;
                     }
                 }
@@ -313,13 +318,7 @@ package starlogo.hierarchy
          */
         public function beginNodes():void
         {
-            var room:int = Math.min(2 * primitiveCount, 0.4 * primitiveCount + 1000);
-            boxes = new Vector.<Number>(6 * room);
-            left = new Vector.<int>(room);
-            firstPrimitive = new Vector.<int>(room);
-            endPrimitive = new Vector.<int>(room);
-            leafUpToDepth = new Vector.<int>(room);
-            levelAndAxis = new Vector.<int>(room);
+            resizeColumns(Math.min(2 * primitiveCount, 0.4 * primitiveCount + 1000));
             _count = 0;
             addNode(0, primitiveCount, 1);
         }
@@ -347,18 +346,7 @@ package starlogo.hierarchy
         /** Ends the making of nodes. */
         public function completeNodes():void
         {
-            // V8 keeps all of a list that is shortened by less than half, and copying takes time
-            if (4 * _count < 3 * left.length)
-            {
-                boxes = boxes.slice(0, 6 * _count);
-                left = left.slice(0, _count);
-                firstPrimitive = firstPrimitive.slice(0, _count);
-                endPrimitive = endPrimitive.slice(0, _count);
-                leafUpToDepth = leafUpToDepth.slice(0, _count);
-                levelAndAxis = levelAndAxis.slice(0, _count);
-            }
-            boxes.length = 6 * _count;
-            left.length = firstPrimitive.length = endPrimitive.length = leafUpToDepth.length = levelAndAxis.length = _count;
+            resizeColumns(_count);
             _count = 0;
         }
 
@@ -367,14 +355,24 @@ package starlogo.hierarchy
             var node:int = _count;
             if (node == left.length)
             {
-                boxes.length = 12 * node;
-                left.length = firstPrimitive.length = endPrimitive.length = leafUpToDepth.length = levelAndAxis.length = 2 * node;
+                resizeColumns(2 * node);
             }
+            left[node] = 0;
             firstPrimitive[node] = from;
             endPrimitive[node] = to;
             leafUpToDepth[node] = EXACT;
             levelAndAxis[node] = level << 2;
             _count = node + 1;
+        }
+
+        private function resizeColumns(length:int):void
+        {
+            boxes = resizedNumbers(boxes, 6 * length);
+            left = resizedInts(left, length);
+            firstPrimitive = resizedInts(firstPrimitive, length);
+            endPrimitive = resizedInts(endPrimitive, length);
+            leafUpToDepth = resizedInts(leafUpToDepth, length);
+            levelAndAxis = resizedInts(levelAndAxis, length);
         }
     }
 }

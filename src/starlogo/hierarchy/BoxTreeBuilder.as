@@ -1,5 +1,6 @@
 package starlogo.hierarchy
 {
+    import starlogo.data.IntSet;
     import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
 
@@ -42,6 +43,9 @@ package starlogo.hierarchy
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
         private var _partition:TreePartition;
+
+        // For BoxTree.countVertices().
+        private var _counted:IntSet = new IntSet();
 
         // The nodes still to visit, the next one last. Those below a node come before those beside it.
         private var _waiting:Vector.<int> = new <int>[0];
@@ -121,7 +125,14 @@ package starlogo.hierarchy
             {
                 return false;
             }
-            _partition.begin(node, _splitByMean && !isLeafOrBelow(node));
+            if (isLeafOrBelow(node) && isHalvedOnLevel(_tree.levelOf(node)))
+            {
+                _partition.halve(node);
+            }
+            else
+            {
+                _partition.begin(node, _splitByMean && !isLeafOrBelow(node));
+            }
             return true;
         }
 
@@ -135,37 +146,43 @@ package starlogo.hierarchy
         private function isSplit(node:int):Boolean
         {
             return _tree.levelOf(node) < _maxDepth && _tree.endPrimitive[node] - _tree.firstPrimitive[node] > 1
-                && _tree.countVertices(node, _maxLeafVertices) > _maxLeafVertices;
+                && _tree.countVertices(node, _counted, _maxLeafVertices) > _maxLeafVertices;
         }
 
         // Continues with a node. Returns whether more remains to do.
         private function advance(node:int):Boolean
         {
-            if (isLeafOrBelow(node) && isHalvedOnLevel(_tree.levelOf(node)))
-            {
-                _partition.halve();
-                return false;
-            }
             if (_partition.divideSome(PRIMITIVES_PER_STEP))
             {
                 return true;
             }
-            if (!_partition.isOneSided)
+            if (_partition.isOneSided)
             {
-                _partition.makeChildren(isLeafOrBelow(node));
-                return false;
+                return divideOtherwise(node);
             }
+            if (_partition.measureSome(PRIMITIVES_PER_STEP))
+            {
+                return true;
+            }
+            _partition.makeChildren(isLeafOrBelow(node));
+            return false;
+        }
+
+        // Divides a node again whose division has left a group without primitives. Returns whether there is a way.
+        private function divideOtherwise(node:int):Boolean
+        {
             if (_partition.beginWhereCentresSpread())
             {
                 return true;
             }
             // All centres are in one place.
             _leafLevel = Math.min(_leafLevel, _tree.levelOf(node));
-            if (isLarge(_tree, node))
+            if (!isLarge(_tree, node))
             {
-                _partition.halve();
+                return false;
             }
-            return false;
+            _partition.halve(node);
+            return true;
         }
     }
 }

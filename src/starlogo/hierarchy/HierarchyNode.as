@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.data.IntSet;
     import starlogo.engine;
 
     use namespace engine;
@@ -65,7 +66,7 @@ package starlogo.hierarchy
          */
         public function get vertexCount():int
         {
-            return _tree.countVertices(_node);
+            return _tree.countVertices(_node, new IntSet());
         }
 
         /**

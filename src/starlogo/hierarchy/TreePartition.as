@@ -1,10 +1,11 @@
 package starlogo.hierarchy
 {
+    import starlogo.data.zeroedInts;
     import starlogo.data.zeroedNumbers;
 
     /**
-     * The primitives of a tree while it is made: its triangles or its vertices. Divides the primitives of one node after the other in two, makes the
-     * node's children, and changes the order of the primitives so that those of each node stand side by side.
+     * The primitives of a tree while it is made: its triangles or its vertices. Divides the primitives of one node after the other into two groups,
+     * measures the groups, and makes the node's children. It changes the order of the primitives so that those of each node stand side by side.
      *
      * @private
      */
@@ -20,10 +21,12 @@ package starlogo.hierarchy
         private var _axis:int = 0;
         private var _doubledSplit:Number = 0;
 
-        // The primitives before _splitIndex are in the first group, those after _last in the second one. And the extents of both groups. Before
-        // the root is made, the first group is that of all primitives.
+        // The primitives before _splitIndex are in the first group, those after _last in the second one. Those between are not divided yet.
         private var _splitIndex:int = 0;
         private var _last:int = 0;
+
+        // The extents of the primitives of each group before _measured. Before the root is made, the first group is that of all primitives.
+        private var _measured:int = 0;
         private var _leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
@@ -34,7 +37,7 @@ package starlogo.hierarchy
         {
             _tree = tree;
             clear(_leftExtents);
-            var primitives:Vector.<int> = new Vector.<int>(tree.primitiveCount, true);
+            var primitives:Vector.<int> = zeroedInts(tree.primitiveCount);
             for (var i:int = 0; i < primitives.length; i++)
             {
                 primitives[i] = i;
@@ -119,14 +122,14 @@ package starlogo.hierarchy
         // Begins with two groups without primitives.
         private function beginGroups():void
         {
-            _splitIndex = _tree.firstPrimitive[_node];
+            _splitIndex = _measured = _tree.firstPrimitive[_node];
             _last = _tree.endPrimitive[_node] - 1;
             clear(_leftExtents);
             clear(_rightExtents);
         }
 
         /**
-         * Continues the division, and extends the extents of both groups. Primitives that are on the right side keep their places.
+         * Continues the division. Primitives that are on the right side keep their places.
          *
          * @param most the largest number of primitives to look at
          * @return whether there are more primitives
@@ -158,8 +161,6 @@ package starlogo.hierarchy
                 }
                 high--;
             }
-            extend(_leftExtents, _splitIndex, low);
-            extend(_rightExtents, high + 1, _last + 1);
             _splitIndex = low;
             _last = high;
             return low <= high;
@@ -172,21 +173,35 @@ package starlogo.hierarchy
         }
 
         /**
-         * Divides the node by the number of its primitives, which stay in their places, and makes its children. It is a leaf of the thesis, or below
-         * one. The longest axis of its box counts as that of the division.
+         * Divides a node by the number of its primitives, which stay in their places. It is a leaf of the thesis, or below one. The longest axis of its
+         * box counts as that of the division.
          */
-        public function halve():void
+        public function halve(node:int):void
         {
-            beginGroups();
-            var first:int = _splitIndex;
+            _node = node;
             _axis = longestAxis;
-            _splitIndex = (first + _last + 1) >> 1;
-            extend(_leftExtents, first, _splitIndex);
-            extend(_rightExtents, _splitIndex, _last + 1);
-            makeChildren(true);
+            beginGroups();
+            _splitIndex = (_splitIndex + _last + 1) >> 1;
+            _last = _splitIndex - 1;
         }
 
-        /** Makes the children of the node, which is divided. @param isLeafOrBelow whether the node is a leaf of the thesis, or below one */
+        /**
+         * Continues to measure the two groups of the node.
+         *
+         * @param most the largest number of primitives to measure
+         * @return whether there are more primitives
+         */
+        public function measureSome(most:int):Boolean
+        {
+            var isFirstGroup:Boolean = _measured < _splitIndex;
+            var endOfGroup:int = isFirstGroup ? _splitIndex : _tree.endPrimitive[_node];
+            var end:int = Math.min(_measured + most, endOfGroup);
+            extend(isFirstGroup ? _leftExtents : _rightExtents, _measured, end);
+            _measured = end;
+            return end < _tree.endPrimitive[_node];
+        }
+
+        /** Makes the children of the node: one of each group. @param isLeafOrBelow whether the node is a leaf of the thesis, or below one */
         public function makeChildren(isLeafOrBelow:Boolean):void
         {
             var child:int = _tree.addChildren(_node, _axis, _splitIndex, isLeafOrBelow);

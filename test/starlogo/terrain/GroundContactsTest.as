@@ -323,6 +323,23 @@ package starlogo.terrain
             _wrong.assertNone();
         }
 
+        /** The cube stands in the ground, and so near a wall that rounding makes them touch. The way leads out of both. */
+        [Test]
+        public function aWallAcrossTheGapOfRoundingIsLeftToo():void
+        {
+            var terrain:Terrain = columns(9, 9, function(column:int, row:int):Number
+                {
+                    return column > 4 ? 1 : row > 4 ? 0.6 : 0;
+                }, 1000);
+            var cube:Agent = agentAt("cube", 149.99999999995725, 2323.208256245901, 586);
+            cube.size = 700;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                check(name, EachCollider.make(name, _land), cube, terrain);
+            }
+            _wrong.assertNone();
+        }
+
         private function jaggedAt(from:Number):Terrain
         {
             var terrain:Terrain = new Terrain(5, 5, 1, from - 2, from - 2);

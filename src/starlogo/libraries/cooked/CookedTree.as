@@ -2,6 +2,7 @@ package starlogo.libraries.cooked
 {
     import flash.errors.EOFError;
     import flash.utils.ByteArray;
+    import starlogo.data.zeroedInts;
     import starlogo.hierarchy.BoxRefit;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
@@ -89,7 +90,7 @@ package starlogo.libraries.cooked
         private function addParts():void
         {
             var count:int = _tree.primitiveCount;
-            var primitives:Vector.<int> = new Vector.<int>(count, true);
+            var primitives:Vector.<int> = zeroedInts(count);
             var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
             var width:int = widthFor(count);
             // the nodes that still have to be read, the next one last

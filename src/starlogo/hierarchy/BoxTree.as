@@ -5,6 +5,7 @@ package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.data.zeroedInts;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -117,7 +118,7 @@ package starlogo.hierarchy
             {
                 return;
             }
-            cornerOffsets = new Vector.<int>(3 * primitives.length, true);
+            cornerOffsets = zeroedInts(3 * primitives.length);
             for (var index:int = 0; index < primitives.length; index++)
             {
                 for (var corner:int = 0; corner < 3; corner++)

@@ -188,7 +188,7 @@ package starlogo.hierarchy
                 var enterNext:Number = Infinity;
                 for (var child:int = left; child < left + 2; child++)
                 {
-                    // read before the child is known to be met: so processors wait for the memory of the box and of this at the same time
+                    // read early, so that a processor waits for the memory of this and of the box at the same time
                     var leftOfChild:int = lefts[child];
                     // A box is met unless the moving box enters it along one axis after it has left it along another one.
                     var at:int = 6 * child;
@@ -234,13 +234,8 @@ package starlogo.hierarchy
                     leftOfNext = leftOfChild;
                     enterNext = enter;
                 }
-                node = next;
-                left = leftOfNext;
-                if (next < 0)
-                {
-                    node = nextWaiting(latest);
-                    left = node < 0 ? 0 : lefts[node];
-                }
+                node = next < 0 ? nextWaiting(latest) : next;
+                left = next < 0 && node >= 0 ? lefts[node] : leftOfNext;
             }
             return node;
         }

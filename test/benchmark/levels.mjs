@@ -77,8 +77,8 @@ function inEngine({ vertices, triangles }) {
 			direction.setTo(...to);
 			return queries.cast(origin, direction, reach, null, hit)?.distance ?? Infinity;
 		},
-		sphere: (from, radius, way) => queries.castShape(ballAt(from, radius), ...way, null, shapeHit)?.time ?? 1,
-		capsule: (from, way) => queries.castShape(standing(from), ...way, null, shapeHit)?.time ?? 1,
+		sphere: (from, radius, way) => queries.castShape(ballAt(from, radius), way[0], way[1], way[2], null, shapeHit)?.time ?? 1,
+		capsule: (from, way) => queries.castShape(standing(from), way[0], way[1], way[2], null, shapeHit)?.time ?? 1,
 		isFree: (from) => queries.overlapping(standing(from)).length === 0,
 		walker: (from) => {
 			if (!land.hasModel("walker")) {

@@ -274,10 +274,12 @@ package starlogo.convex
 
         private function setBoundingRadius():void
         {
+            var p:Vector.<Number> = points;
+            var end:int = pointsEnd;
             var most:Number = 0;
-            for (var i:int = 0; i < pointsEnd; i++)
+            for (var i:int = 0; i < end; i++)
             {
-                var coordinate:Number = points[i] < 0 ? -points[i] : points[i];
+                var coordinate:Number = p[i] < 0 ? -p[i] : p[i];
                 most = coordinate > most ? coordinate : most;
             }
             boundingRadius = 2 * most;

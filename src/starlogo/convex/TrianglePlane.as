@@ -76,13 +76,14 @@ package starlogo.convex
             normal.x = x;
             normal.y = y;
             normal.z = z;
-            offset = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
+            var first:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
             var second:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
             var third:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
-            min = offset < second ? offset : second;
-            min = min < third ? min : third;
-            max = offset > second ? offset : second;
-            max = max > third ? max : third;
+            var least:Number = first < second ? first : second;
+            var most:Number = first > second ? first : second;
+            offset = first;
+            min = least < third ? least : third;
+            max = most > third ? most : third;
         }
 
         /**

@@ -163,6 +163,7 @@ package starlogo.hierarchy
         {
             var tree:BoxTree = _tree;
             var boxes:Vector.<Number> = tree.boxes;
+            var lefts:Vector.<int> = tree.left;
             var fromX:Number = _x;
             var fromY:Number = _y;
             var fromZ:Number = _z;
@@ -178,14 +179,17 @@ package starlogo.hierarchy
             var earliest:Number = _earliest;
             var latest:Number = limit < LATEST ? limit : LATEST;
             var node:int = nextWaiting(latest);
-            while (node >= 0 && !visit(node))
+            var left:int = node < 0 ? 0 : lefts[node];
+            while (node >= 0 && !visit(node, left))
             {
-                // of the children that are met, the one to visit next, and when it is entered
+                // of the children that are met, the one to visit next, its left child, and when it is entered
                 var next:int = -1;
+                var leftOfNext:int = 0;
                 var enterNext:Number = Infinity;
-                var left:int = tree.left[node];
                 for (var child:int = left; child < left + 2; child++)
                 {
+                    // read early, so that a processor waits for the memory of this and of the box at the same time
+                    var leftOfChild:int = lefts[child];
                     // A box is met unless the moving box enters it along one axis after it has left it along another one.
                     var at:int = 6 * child;
                     var middle:Number = (boxes[at] - fromX) * inverseX;
@@ -227,9 +231,11 @@ package starlogo.hierarchy
                         _enters[_top++] = enterNext;
                     }
                     next = child;
+                    leftOfNext = leftOfChild;
                     enterNext = enter;
                 }
                 node = next < 0 ? nextWaiting(latest) : next;
+                left = next < 0 && node >= 0 ? lefts[node] : leftOfNext;
             }
             return node;
         }
@@ -238,7 +244,7 @@ package starlogo.hierarchy
         private function nextOverlapped():int
         {
             var node:int = nextWaiting(limit);
-            while (node >= 0 && !visit(node))
+            while (node >= 0 && !visit(node, _tree.left[node]))
             {
                 var left:int = _tree.left[node];
                 var overlapsRight:Boolean = overlaps(left + 1);
@@ -272,12 +278,12 @@ package starlogo.hierarchy
             return -1;
         }
 
-        // Visits a node. Returns whether it is a leaf.
-        private function visit(node:int):Boolean
+        // Visits a node with a left child, or 0. Returns whether it is a leaf.
+        private function visit(node:int, left:int):Boolean
         {
             _counts.nodeVisits++;
             // an exact search reads one list less
-            return _depth == BoxTree.EXACT ? _tree.left[node] == 0 : _tree.leafUpToDepth[node] >= _depth;
+            return _depth == BoxTree.EXACT ? left == 0 : _tree.leafUpToDepth[node] >= _depth;
         }
 
         // Whether the standing box overlaps that of a node.

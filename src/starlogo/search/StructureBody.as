@@ -35,7 +35,7 @@ package starlogo.search
             var shape:ModelShape = shapeOfKind(structure.kind);
             var inWorld:BoundingStructure = at == null ? structure : structure.place(at, shape.structure);
             inWorld.findPlacedBox(Placement.IDENTITY, _extents);
-            if (at == null)
+            if (at == null && !areExtentsInWorld)
             {
                 // a number of either kind that is infinite or NaN makes such numbers of the other
                 requireInWorld("a structure's middle and half of its length", _extents[0], _extents[1], _extents[2]);
@@ -52,6 +52,18 @@ package starlogo.search
             place.z = _extents[2];
             _body.takeShape(shape, _extents);
             return _body;
+        }
+
+        // Whether all numbers of the extents are in the world. It reads them itself, because V8 makes objects of Numbers that are passed.
+        private function get areExtentsInWorld():Boolean
+        {
+            var most:Number = 0;
+            for (var i:int = 0; i < 6; i++)
+            {
+                // a NaN stays
+                most = Math.max(most, Math.abs(_extents[i]));
+            }
+            return most <= Placement.LARGEST_COORDINATE;
         }
 
         private function shapeOfKind(kind:int):ModelShape

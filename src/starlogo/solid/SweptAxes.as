@@ -29,7 +29,8 @@ package starlogo.solid
         private var _axes:Vector.<Number> = new Vector.<Number>(PER_AXIS * MAX_AXES, true);
         private var _end:int = 0;
 
-        // The axis that is added, and how far the core extends along it.
+        // The edge and the axis that are added, and how far the core extends along the axis.
+        private var _edge:Vector3D = new Vector3D();
         private var _axis:Vector3D = new Vector3D();
         private var _ofShape:Interval = new Interval();
 
@@ -51,20 +52,10 @@ package starlogo.solid
         private function addAxes():void
         {
             var shape:ConvexShape = _shape;
-            var motion:RelativeMotion = _motion;
-            var points:Vector.<Number> = shape.points;
-            if (shape.coreKind == ConvexShape.POINT)
+            if (shape.coreKind == ConvexShape.POINT || shape.coreKind == ConvexShape.SEGMENT)
             {
-                addAxis(motion.x, motion.y, motion.z);
-            }
-            else if (shape.coreKind == ConvexShape.SEGMENT)
-            {
-                var x:Number = points[3] - points[0];
-                var y:Number = points[4] - points[1];
-                var z:Number = points[5] - points[2];
-                var squared:Number = x * x + y * y + z * z;
-                var fraction:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
-                addAxis(motion.x - fraction * x, motion.y - fraction * y, motion.z - fraction * z);
+                setEdgeTo(shape.pointsEnd - 3);
+                addMotionAcrossEdge();
             }
             if (shape.areEdgesPerpendicular)
             {
@@ -72,37 +63,75 @@ package starlogo.solid
                 // the ends of the edges, which begin at the first point
                 for (var i:int = 1; i < edges.length; i += 4)
                 {
-                    var end:int = edges[i];
-                    addEdge(points[end] - points[0], points[int(end + 1)] - points[1], points[int(end + 2)] - points[2]);
+                    setEdgeTo(edges[i]);
+                    addEdge();
                 }
             }
             else if (shape.coreKind != ConvexShape.POINT)
             {
-                addEdge(1, 0, 0);
-                addEdge(0, 1, 0);
-                addEdge(0, 0, 1);
+                _edge.setTo(1, 0, 0);
+                addEdge();
+                _edge.setTo(0, 1, 0);
+                addEdge();
+                _edge.setTo(0, 0, 1);
+                addEdge();
             }
         }
 
-        private function addEdge(x:Number, y:Number, z:Number):void
+        // Sets the edge to that from the shape's first point to another one.
+        private function setEdgeTo(end:int):void
         {
-            addAxis(x, y, z);
-            addAxis(y * _motion.z - z * _motion.y, z * _motion.x - x * _motion.z, x * _motion.y - y * _motion.x);
+            var points:Vector.<Number> = _shape.points;
+            _edge.x = points[end] - points[0];
+            _edge.y = points[int(end + 1)] - points[1];
+            _edge.z = points[int(end + 2)] - points[2];
         }
 
-        private function addAxis(x:Number, y:Number, z:Number):void
+        // Adds the part of the motion across the edge. It is all of the motion if the edge has no length.
+        private function addMotionAcrossEdge():void
+        {
+            var motion:RelativeMotion = _motion;
+            var edge:Vector3D = _edge;
+            var squared:Number = edge.x * edge.x + edge.y * edge.y + edge.z * edge.z;
+            var fraction:Number = squared > 0 ? (edge.x * motion.x + edge.y * motion.y + edge.z * motion.z) / squared : 0;
+            _axis.x = motion.x - fraction * edge.x;
+            _axis.y = motion.y - fraction * edge.y;
+            _axis.z = motion.z - fraction * edge.z;
+            addAxis();
+        }
+
+        // Adds the axis along the edge, and the one across the edge and the motion.
+        private function addEdge():void
+        {
+            var motion:RelativeMotion = _motion;
+            var edge:Vector3D = _edge;
+            _axis.copyFrom(edge);
+            addAxis();
+            _axis.x = edge.y * motion.z - edge.z * motion.y;
+            _axis.y = edge.z * motion.x - edge.x * motion.z;
+            _axis.z = edge.x * motion.y - edge.y * motion.x;
+            addAxis();
+        }
+
+        // Adds the axis, turned to the motion's side. The axis and the edge are fields, because V8 makes objects of Numbers that are passed.
+        private function addAxis():void
         {
             var axes:Vector.<Number> = _axes;
             var at:int = _end;
-            var sign:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
-            _axis.setTo(sign * x, sign * y, sign * z);
-            _shape.project(_axis, _ofShape);
-            var radius:Number = cullDistance * _axis.length;
-            var origin:Number = _axis.x * _shape.origin.x + _axis.y * _shape.origin.y + _axis.z * _shape.origin.z;
-            var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
-            axes[at] = _axis.x;
-            axes[int(at + 1)] = _axis.y;
-            axes[int(at + 2)] = _axis.z;
+            var axis:Vector3D = _axis;
+            var shape:ConvexShape = _shape;
+            var speed:Number = axis.x * _motion.x + axis.y * _motion.y + axis.z * _motion.z;
+            if (speed < 0)
+            {
+                axis.negate();
+                speed = -speed;
+            }
+            shape.project(axis, _ofShape);
+            var radius:Number = cullDistance * Math.sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
+            var origin:Number = axis.x * shape.origin.x + axis.y * shape.origin.y + axis.z * shape.origin.z;
+            axes[at] = axis.x;
+            axes[int(at + 1)] = axis.y;
+            axes[int(at + 2)] = axis.z;
             axes[int(at + 3)] = origin + _ofShape.min - radius;
             axes[int(at + 4)] = origin + _ofShape.max + radius;
             axes[int(at + 5)] = speed;

@@ -18,6 +18,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.isInWorld;
     import starlogo.geometry.requireInWorld;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
@@ -119,9 +120,12 @@ package starlogo.queries.motion
         /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */
         public function aim(dx:Number, dy:Number, dz:Number):MovingBody
         {
-            requireInWorld("dx of a motion", dx, 0, 0, agent);
-            requireInWorld("dy of a motion", 0, dy, 0, agent);
-            requireInWorld("dz of a motion", 0, 0, dz, agent);
+            if (!isInWorld(dx, dy, dz))
+            {
+                requireInWorld("dx of a motion", dx, 0, 0, agent);
+                requireInWorld("dy of a motion", 0, dy, 0, agent);
+                requireInWorld("dz of a motion", 0, 0, dz, agent);
+            }
             motion.x = dx;
             motion.y = dy;
             motion.z = dz;

@@ -284,7 +284,7 @@ package starlogo.queries.motion
                 motion.time = RelativeMotion.NEVER;
                 return;
             }
-            var tests:PairTests = shrunk.body.testsWith(row);
+            var tests:PairTests = shrunk.body.narrowPhase.pairTestsFor(moved, other);
             if (isStart || other.kind == ModelShape.GROUND)
             {
                 tests.findImpactOfSolids(moved, other, motion, out);

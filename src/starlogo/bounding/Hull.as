@@ -7,6 +7,7 @@ package starlogo.bounding
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.hull.ConvexHull;
+    import starlogo.geometry.scaleAndRotatePoints;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.vertexProblem;
 
@@ -180,7 +181,7 @@ package starlogo.bounding
             {
                 placed.relativeCorners.length = relativeCorners.length;
             }
-            Placement.scaleAndRotatePoints(placement, relativeCorners, placed.relativeCorners);
+            scaleAndRotatePoints(placement, relativeCorners, placed.relativeCorners);
             placement.place(center, placed.center);
             placed.radius = radius * placement.size;
             placed.topology = topology;
@@ -228,7 +229,7 @@ package starlogo.bounding
         {
             var rotated:Vector.<Number> = sRotated;
             var bounds:VertexBounds = sBounds;
-            Placement.scaleAndRotatePoints(placement, relativeCorners, rotated);
+            scaleAndRotatePoints(placement, relativeCorners, rotated);
             bounds.clear();
             bounds.add(rotated, 0, relativeCorners.length / 3);
             var size:Number = placement.size;

@@ -6,6 +6,7 @@ package starlogo.fitting
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.scaleAndRotatePoints;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -84,7 +85,7 @@ package starlogo.fitting
         {
             var rotation:Placement = new Placement();
             rotation.setRotation(0, aboutY, aboutX);
-            Placement.scaleAndRotatePoints(rotation, _hull.points, _rotated);
+            scaleAndRotatePoints(rotation, _hull.points, _rotated);
             // the least length that counts for a side
             var shortest:Number = _hull.flatness;
             var thickness:Number = Math.max(2 * EnclosingStructures.extentAlong(_rotated, 0, 0, 1)[1], shortest);

@@ -16,6 +16,7 @@ package starlogo.fitting
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.scaleAndRotatePoints;
     import starlogo.steps.finish;
     import support.CountingFitter;
     import support.Effort;
@@ -176,7 +177,7 @@ package starlogo.fitting
         private static function turned(points:Vector.<Number>, rotation:Placement):Vector.<Number>
         {
             var result:Vector.<Number> = new Vector.<Number>(points.length);
-            Placement.scaleAndRotatePoints(rotation, points, result);
+            scaleAndRotatePoints(rotation, points, result);
             return result;
         }
 

@@ -6,6 +6,7 @@ package starlogo.solid
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.scaleAndRotatePoints;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -208,7 +209,7 @@ package starlogo.solid
         private static function turned(points:Vector.<Number>, turn:Placement):Vector.<Number>
         {
             var out:Vector.<Number> = new Vector.<Number>(points.length);
-            Placement.scaleAndRotatePoints(turn, points, out);
+            scaleAndRotatePoints(turn, points, out);
             return out;
         }
 

@@ -76,6 +76,12 @@ package starlogo.models.collada
             return attribute("id");
         }
 
+        /** Its attribute "name", or its id if it has none; null without both. */
+        public function get nameOrId():String
+        {
+            return attribute("name") || id || null;
+        }
+
         /** Whether an element of the document has a sid. */
         public function hasSid(sid:String):Boolean
         {

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.data.keyOf;
+    import starlogo.models.building.TriangleLabels;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.scene.SceneMesh;
     import starlogo.steps.StepSequence;
@@ -39,6 +40,24 @@ package starlogo.models.collada
                         return pointsOf(vertices);
                     });
             }
+        }
+
+        /** @inheritDoc It is the material that the instance binds to the symbol. A symbol that is not bound counts as a material. */
+        override public function labelOf(symbol:String, instance:Object, labels:TriangleLabels):int
+        {
+            var element:ColladaElement = ColladaElement(instance);
+            element.budget.spendElements(1, element);
+            if (symbol == "")
+            {
+                return -1;
+            }
+            var binding:ColladaElement = element.child("bind_material");
+            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
+            var bound:ColladaElement = technique == null ? null : technique.child("instance_material", symbol);
+            // null if none is bound, or one that is not in this file
+            var material:ColladaElement = bound == null ? null : element.elementAt("material", bound.attribute("target"));
+            // a symbol may be equal to another material's id
+            return material == null ? labels.labelWithKey("symbol " + symbol, symbol) : labels.labelWithKey("material " + material.id, material.nameOrId);
         }
 
         private function addPrimitive(element:ColladaElement):void

@@ -5,7 +5,6 @@ package starlogo.models.collada
     import starlogo.geometry.AffineTransform;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
@@ -242,35 +241,10 @@ package starlogo.models.collada
         // Adds an instance of a geometry, as a mesh with the name of its node. @param element places it; the geometry itself without a scene
         private function addInstance(element:ColladaElement, geometry:ColladaElement, node:int):MeshInstance
         {
-            var name:String = nameOf(element == geometry ? geometry : element.parent) || nameOf(geometry);
-            var instance:MeshInstance = new MeshInstance(node, meshOf(geometry), element, name, function(symbol:String, materials:TriangleLabels):int
-                {
-                    return labelOf(element, symbol, materials);
-                });
+            var name:String = (element == geometry ? geometry : element.parent).nameOrId || geometry.nameOrId;
+            var instance:MeshInstance = new MeshInstance(node, meshOf(geometry), element, name);
             instances.push(instance);
             return instance;
-        }
-
-        // The label of the material that an instance binds to a symbol. A symbol that is not bound counts as a material. -1 for no symbol.
-        private static function labelOf(instance:ColladaElement, symbol:String, materials:TriangleLabels):int
-        {
-            instance.budget.spendElements(1, instance);
-            if (symbol == "")
-            {
-                return -1;
-            }
-            var binding:ColladaElement = instance.child("bind_material");
-            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
-            var bound:ColladaElement = technique == null ? null : technique.child("instance_material", symbol);
-            // null if none is bound, or one that is not in this file
-            var material:ColladaElement = bound == null ? null : instance.elementAt("material", bound.attribute("target"));
-            // a symbol may be equal to another material's id
-            return material == null ? materials.labelWithKey("symbol " + symbol, symbol) : materials.labelWithKey("material " + material.id, nameOf(material));
-        }
-
-        private static function nameOf(element:ColladaElement):String
-        {
-            return element.attribute("name") || element.id || null;
         }
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.building.TriangleLabels;
     import starlogo.models.scene.DeformedPoints;
     import starlogo.models.scene.JointInfluences;
     import starlogo.models.scene.Scene;
@@ -93,6 +94,12 @@ package starlogo.models.gltf
                 {
                     return _hasJoints ? skinning(deformed, scene, node) : null;
                 });
+        }
+
+        /** @inheritDoc It is the material's number in the file. */
+        override public function labelOf(material:String, instance:Object, labels:TriangleLabels):int
+        {
+            return int(material);
         }
 
         // The steps that move points by the skin. After its joints there is the node itself, which vertices without joints follow.

@@ -3,7 +3,6 @@ package starlogo.models.gltf
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.models.animation.normaliseQuaternion;
-    import starlogo.models.building.TriangleLabels;
     import starlogo.models.scene.DeformedPoints;
     import starlogo.models.scene.MeshInstance;
     import starlogo.models.scene.Scene;
@@ -173,18 +172,12 @@ package starlogo.models.gltf
             _file.budget.spendElements(1 + json.count("primitives"), json.place);
             var scene:Scene = this;
             var mesh:GltfMesh = _meshes[meshIndex + " " + skinIndex] ||= new GltfMesh(_file, json, skin);
-            var instance:MeshInstance = new MeshInstance(index, mesh, node.place, node.textOrNull("name") || json.textOrNull("name"), labelOf);
+            var instance:MeshInstance = new MeshInstance(index, mesh, node.place, node.textOrNull("name") || json.textOrNull("name"));
             instance.deforming = !mesh.isDeformed ? null : function(deformed:DeformedPoints):Steps
             {
                 return mesh.deforming(deformed, weightsOf(index, node, json), scene, index);
             };
             instances.push(instance);
-        }
-
-        // The label of a material is its number in the file.
-        private static function labelOf(material:String, materials:TriangleLabels):int
-        {
-            return int(material);
         }
 
         // The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh.

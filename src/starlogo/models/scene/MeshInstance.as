@@ -27,22 +27,19 @@ package starlogo.models.scene
         private var _node:int;
         private var _place:Object;
         private var _name:String;
-        private var _labelOf:Function;
 
         /**
          * @param node the index of the node; -1 for none
          * @param mesh the mesh; all its instances share it
          * @param place the instance's place in the file, for errors
          * @param name the name of the model's mesh that it becomes; null for none
-         * @param labelOf <code>function(material:String, materials:TriangleLabels):int</code>; returns the label of a primitive's material
          */
-        public function MeshInstance(node:int, mesh:SceneMesh, place:Object, name:String, labelOf:Function)
+        public function MeshInstance(node:int, mesh:SceneMesh, place:Object, name:String)
         {
             _node = node;
             this.mesh = mesh;
             _place = place;
             _name = name;
-            _labelOf = labelOf;
         }
 
         /** The steps that add the mesh, which is read, to a model in a scene's present pose. */
@@ -95,7 +92,7 @@ package starlogo.models.scene
             data.meshes.beginRun(data.meshes.addLabel(_name), firstTriangle);
             for (var i:int = 0; i < mesh.materials.length; i++)
             {
-                data.materials.beginRun(_labelOf(mesh.materials[i], data.materials), firstTriangle + mesh.firstTriangles[i]);
+                data.materials.beginRun(mesh.labelOf(mesh.materials[i], _place, data.materials), firstTriangle + mesh.firstTriangles[i]);
             }
         }
     }

@@ -1,5 +1,6 @@
 package starlogo.models.scene
 {
+    import starlogo.models.building.TriangleLabels;
     import starlogo.steps.StepSequence;
 
     /**
@@ -15,7 +16,7 @@ package starlogo.models.scene
         /** The triangles of all primitives: three points each, by their indices. */
         public var corners:Vector.<uint> = new Vector.<uint>();
 
-        /** The material of each primitive, as the file calls it: see MeshInstance. */
+        /** The material of each primitive, as the file calls it: see labelOf(). */
         public var materials:Vector.<String> = new Vector.<String>();
 
         /** The first triangle of each primitive. */
@@ -40,6 +41,18 @@ package starlogo.models.scene
         {
             materials.push(material);
             firstTriangles.push(corners.length / 3);
+        }
+
+        /**
+         * The label of a primitive's material in an instance of the mesh; -1 for none. A format with materials overrides it.
+         *
+         * @param material as the file calls it
+         * @param instance the instance's place in the file
+         * @param labels the model's materials, which may get one more
+         */
+        public function labelOf(material:String, instance:Object, labels:TriangleLabels):int
+        {
+            return -1;
         }
     }
 }

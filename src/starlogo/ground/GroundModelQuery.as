@@ -34,7 +34,7 @@ package starlogo.ground
         private static const FARTHEST:Number = 8 * Placement.LARGEST_COORDINATE;
 
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
-        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
+        private var _touchSearch:GroundTouchSearch = new GroundTouchSearch();
         private var _pushSearch:GroundPushSearch = new GroundPushSearch();
 
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
@@ -73,14 +73,15 @@ package starlogo.ground
         // Whether the two touch where the model is. areTouchingAt() is short so that V8 inlines it and allocates no object for the time.
         private function areTouching():Boolean
         {
-            if (_pairs.piece.tree != null && _deepest.isPointUnder(_pairs.piece, _pairs.search))
+            var answer:int = _touchSearch.find(_pairs.piece, _pairs.search);
+            if (answer != GroundSeparation.UNKNOWN)
             {
-                return true;
+                return answer == GroundSeparation.BLOCKED;
             }
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.isPartUnder() || touchesTriangle())
+                if (_pairs.hasPointUnder(0) || touchesTriangle())
                 {
                     return true;
                 }

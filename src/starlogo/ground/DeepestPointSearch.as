@@ -16,6 +16,8 @@ package starlogo.ground
         // How many normals are tried.
         private static const MAX_STEPS:int = 4;
 
+        private static const NONE:Vector3D = new Vector3D();
+
         private var _ridges:RidgeExitSearch = new RidgeExitSearch();
 
         // The place on the surface where the search is, and how far the end of the last exit is above it.
@@ -25,6 +27,9 @@ package starlogo.ground
         // The planes of the last two steps.
         private var _last:GroundPlane = new GroundPlane();
         private var _lastButOne:GroundPlane = new GroundPlane();
+
+        // The plane of a quick test.
+        private var _tried:GroundPlane = new GroundPlane();
 
         /** Sets a plane to the surface under the middle of a model's box. Returns false if no ground is there. */
         public function beginUnder(model:ModelPiece, search:GroundSearch, out:GroundPlane):Boolean
@@ -84,6 +89,32 @@ package starlogo.ground
                     planes.add();
                 }
             }
+        }
+
+        /** Whether a point that is deepest behind a plane is under the ground: a quick test, which shows it of most models that are in the ground. */
+        public function isPointUnder(model:ModelPiece, search:GroundSearch):Boolean
+        {
+            model.findWholeBox();
+            // most models whose lowest height is not in the ground under their middle are not in the ground
+            if (!beginUnder(model, search, _tried) || model.box.z - model.box.halfZ > _at.height - search.origin.z)
+            {
+                return false;
+            }
+            for (var step:int = 0; step < MAX_STEPS; step++)
+            {
+                _tried.findPoint(model);
+                if (_tried.depthUnderGround(search, NONE) >= 0)
+                {
+                    return true;
+                }
+                goToEnd(search, _tried, NONE);
+                if (isNaN(_at.height) || isAtEnd(search))
+                {
+                    return false;
+                }
+                setPlane(search, _tried);
+            }
+            return false;
         }
 
         // Sets a plane to the surface at the place where the search is.

@@ -34,7 +34,7 @@ package starlogo.ground
         private static const FARTHEST:Number = 8 * Placement.LARGEST_COORDINATE;
 
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
-        private var _touchSearch:GroundTouchSearch = new GroundTouchSearch();
+        private var _deepest:DeepestPointSearch = new DeepestPointSearch();
         private var _pushSearch:GroundPushSearch = new GroundPushSearch();
 
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
@@ -73,10 +73,9 @@ package starlogo.ground
         // Whether the two touch where the model is. areTouchingAt() is short so that V8 inlines it and allocates no object for the time.
         private function areTouching():Boolean
         {
-            var answer:int = _touchSearch.find(_pairs.piece, _pairs.search);
-            if (answer != GroundSeparation.UNKNOWN)
+            if (_deepest.isPointUnder(_pairs.piece, _pairs.search))
             {
-                return answer == GroundSeparation.BLOCKED;
+                return true;
             }
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())

@@ -2,6 +2,7 @@ package starlogo.ground
 {
     import starlogo.convex.ContactPoint;
     import starlogo.geometry.HalfSpaceSolver;
+    import starlogo.geometry.Tolerances;
 
     /**
      * Finds the push that leads a model out of the ground, by planes alone. It begins with the exit of the deepest point. If the model is still in the ground
@@ -9,6 +10,9 @@ package starlogo.ground
      */
     internal final class GroundPushSearch
     {
+        // Models that are larger than this many cells have other tests, which need not look at all cells.
+        private static const MAX_CELLS:Number = 8;
+
         // A push must be longer than this many times the probe.
         private static const MIN_PROBES:Number = 8;
 
@@ -38,8 +42,7 @@ package starlogo.ground
             var separation:int = GroundSeparation.BLOCKED;
             model.findWholeBox();
             _planes.clear();
-            if (!GroundSeparation.isSmall(model.box, search.grid) || probe < MIN_MARGINS * GroundSeparation.marginOf(model, search.grid)
-                    || !_deepest.beginUnder(model, search, _planes.next))
+            if (!isSmall(model.box, search.grid) || probe < MIN_MARGINS * marginOf(model, search.grid) || !_deepest.beginUnder(model, search, _planes.next))
             {
                 return false;
             }
@@ -54,6 +57,19 @@ package starlogo.ground
             }
             isFree = separation == GroundSeparation.SEPARATED;
             return findContact(search, probe, out);
+        }
+
+        private static function isSmall(box:GroundBox, grid:HeightGrid):Boolean
+        {
+            return 2 * Math.max(box.halfX, box.halfY) <= MAX_CELLS * grid.cellWidth;
+        }
+
+        // The gap across which the model and the surface touch, with all that is rounded.
+        private static function marginOf(model:ModelPiece, grid:HeightGrid):Number
+        {
+            var heights:HeightBounds = grid.pyramid.whole;
+            var box:GroundBox = model.box;
+            return model.modelMargin + Tolerances.ROUNDING * (grid.cellWidth + heights.max - heights.min + box.halfX + box.halfY + box.halfZ);
         }
 
         // Adds the exit of the point that is deepest if one follows the normals from the next plane on. Returns whether the last push does not lead out of it.

@@ -1,7 +1,6 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
-    import starlogo.geometry.Tolerances;
 
     /**
      * Says whether planes separate a displaced model from all of the ground under it: each facet of the ground must be behind a plane that the model is in front
@@ -18,13 +17,10 @@ package starlogo.ground
         /** An answer: the model is in the ground. It has a point under it that is farthest behind the plane of a facet, and this is the next plane. */
         public static const BLOCKED:int = 2;
 
-        // Models that are larger than this many cells have other tests, which need not look at all cells.
-        private static const MAX_CELLS:Number = 8;
-
         private var _planes:GroundPlanes;
         private var _facet:GroundFacet = new GroundFacet();
 
-        // The box around the displaced model, and the gap around it.
+        // The box around the displaced model.
         private var _box:GroundBox = new GroundBox();
 
         // How far a plane must be from the model, or from the facet.
@@ -34,20 +30,6 @@ package starlogo.ground
         public function GroundSeparation(planes:GroundPlanes)
         {
             _planes = planes;
-        }
-
-        /** Whether a box is small enough: each facet under it is looked at. */
-        public static function isSmall(box:GroundBox, grid:HeightGrid):Boolean
-        {
-            return 2 * Math.max(box.halfX, box.halfY) <= MAX_CELLS * grid.cellWidth;
-        }
-
-        /** The gap across which a model and the surface touch, with all that is rounded. */
-        public static function marginOf(model:ModelPiece, grid:HeightGrid):Number
-        {
-            var heights:HeightBounds = grid.pyramid.whole;
-            var box:GroundBox = model.box;
-            return model.modelMargin + Tolerances.ROUNDING * (grid.cellWidth + heights.max - heights.min + box.halfX + box.halfY + box.halfZ);
         }
 
         /**
@@ -65,12 +47,16 @@ package starlogo.ground
             var width:Number = grid.cellWidth;
             var beginX:Number = grid.x - grid.border - search.origin.x;
             var beginY:Number = grid.y - grid.border - search.origin.y;
-            placeBox(model.box, gap);
+            box.copyFrom(model.box);
+            box.x += _planes.displacement.x;
+            box.y += _planes.displacement.y;
+            box.z += _planes.displacement.z;
             var firstColumn:int = Math.max(0, Math.floor((box.x - box.halfX - beginX) / width));
             var firstRow:int = Math.max(0, Math.floor((box.y - box.halfY - beginY) / width));
             var lastColumn:int = Math.min(grid.lastCellColumn, Math.floor((box.x + box.halfX - beginX) / width));
             var lastRow:int = Math.min(grid.lastCellRow, Math.floor((box.y + box.halfY - beginY) / width));
             var answer:int = SEPARATED;
+            _gap = gap;
             facet.width = width;
             for (var row:int = firstRow; row <= lastRow && answer != BLOCKED; row++)
             {
@@ -86,18 +72,6 @@ package starlogo.ground
                 }
             }
             return answer;
-        }
-
-        // Sets the box to the one around the displaced model, and the gap.
-        private function placeBox(around:GroundBox, gap:Number):void
-        {
-            _gap = gap;
-            _box.x = around.x + _planes.displacement.x;
-            _box.y = around.y + _planes.displacement.y;
-            _box.z = around.z + _planes.displacement.z;
-            _box.halfX = around.halfX + gap;
-            _box.halfY = around.halfY + gap;
-            _box.halfZ = around.halfZ + gap;
         }
 
         // The answer for the facets of a cell.

@@ -1,7 +1,7 @@
 // This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. Open HeightGrid first: it has the heights,
 // and HeightPyramid bounds of them. Then read GroundModelQuery, which tests a model:
-// 1. Do the two touch? GroundEarlyOut knows it of most agents by the heights alone, and GroundTouchSearch of most others by planes. For the rest
-// PieceTrianglePairs are the convex pieces of the model (ModelPiece), each with the triangles near it. GroundTriangles finds these near the box of a
+// 1. Do the two touch? GroundEarlyOut knows it of most agents by the heights alone, and DeepestPointSearch of most others that touch. For the
+// rest PieceTrianglePairs are the convex pieces of the model (ModelPiece), each with the triangles near it. GroundTriangles finds these near the box of a
 // GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
 // 2. How deep is the model? GroundPushSearch finds the push of most contacts, by planes alone (GroundPlanes). DeepestPointSearch adds the plane of the exit
 // of the deepest point, which RidgeExitSearch finds across a ridge. An exit leads one point out, a push the whole model. So GroundSeparation looks for a

@@ -124,10 +124,9 @@ package starlogo.ground
                 triangle = list.triangles[_next];
                 _next++;
             }
-            else if (_level == 0 && _source.next(foundAt(0)))
+            else if (_level == 0 && find(0))
             {
                 triangle = _found.triangles[0];
-                triangle.setPlane();
             }
             else
             {
@@ -211,7 +210,7 @@ package starlogo.ground
             }
             search.shape = piece.hasShapeInBox ? piece.kernel.shape : null;
             var comesToFewCells:Boolean = _source.begin(search);
-            return piece.kind != ModelPiece.INNER_NODE || (comesToFewCells ? listAll(own) : isOneNear(own));
+            return piece.kind != ModelPiece.INNER_NODE || (comesToFewCells ? listAll(own) : comesNear(own));
         }
 
         // Lists the triangles of the search that an inner node comes near. Returns whether there are any.
@@ -227,7 +226,7 @@ package starlogo.ground
         }
 
         // Whether a large inner node comes near a triangle. The list stays empty, because each piece inside of the node has a search of its own.
-        private function isOneNear(list:TriangleList):Boolean
+        private function comesNear(list:TriangleList):Boolean
         {
             _found.count = 1;
             while (find(0))
@@ -245,7 +244,11 @@ package starlogo.ground
         // Writes the next triangle of the search to one that is found. Returns false if there is none.
         private function find(index:int):Boolean
         {
-            var found:GroundTriangle = foundAt(index);
+            if (index == _found.triangles.length)
+            {
+                _found.triangles.push(new GroundTriangle());
+            }
+            var found:GroundTriangle = _found.triangles[index];
             if (!_source.next(found))
             {
                 return false;
@@ -253,16 +256,6 @@ package starlogo.ground
             found.setPlane();
             found.box.setToTriangle(found.corners);
             return true;
-        }
-
-        // One of the triangles that searches write to.
-        private function foundAt(index:int):GroundTriangle
-        {
-            if (index == _found.triangles.length)
-            {
-                _found.triangles.push(new GroundTriangle());
-            }
-            return _found.triangles[index];
         }
 
         // Adds those of some triangles to a list that the current piece comes near: the box around its motion meets the triangle's own box, and is not all in front of its

@@ -27,7 +27,6 @@ package starlogo.ground
 
         private var _random:SeededRandom = new SeededRandom(2803);
         private var _search:DeepestPointSearch = new DeepestPointSearch();
-        private var _touches:GroundTouchSearch = new GroundTouchSearch();
         private var _model:ModelPiece = new ModelPiece();
         private var _origin:Placement = new Placement();
         private var _ground:GroundSearch = new GroundSearch();
@@ -69,7 +68,7 @@ package starlogo.ground
                 assertNormal(i + ": normal", normal.x, normal.y, normal.z);
                 assertTrue(i + ": of the model", _out.isPointOfModel);
                 assertExit(i + ": exit");
-                assertEquals(i + ": under", depth > 0, isPointUnder());
+                assertEquals(i + ": under", depth > 0 && isLowestUnderMiddle(), isPointUnder());
             }
         }
 
@@ -239,7 +238,15 @@ package starlogo.ground
         private function isPointUnder():Boolean
         {
             setSearch();
-            return _touches.find(_model, _ground) == GroundSeparation.BLOCKED;
+            return _search.isPointUnder(_model, _ground);
+        }
+
+        // On steep slopes the quick test leaves out models whose lowest height is not in the ground under their middle.
+        private function isLowestUnderMiddle():Boolean
+        {
+            var box:GroundBox = _model.box;
+            _model.findWholeBox();
+            return _grid.heightAt(box.x + _origin.x, box.y + _origin.y) >= box.z - box.halfZ + _origin.z;
         }
 
         private function setSearch():void

@@ -73,14 +73,14 @@ package starlogo.ground
         // Whether the two touch where the model is. areTouchingAt() is short so that V8 inlines it and allocates no object for the time.
         private function areTouching():Boolean
         {
-            if (_pairs.piece.tree != null && _deepest.isPointUnder(_pairs.piece, _pairs.search))
+            if (_deepest.isPointUnder(_pairs.piece, _pairs.search))
             {
                 return true;
             }
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.isPartUnder() || touchesTriangle())
+                if (_pairs.hasPointUnder(0) || touchesTriangle())
                 {
                     return true;
                 }

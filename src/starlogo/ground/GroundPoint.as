@@ -15,6 +15,9 @@ package starlogo.ground
         public var column:int = 0;
         public var row:int = 0;
 
+        /** On slopes: whether it is in the triangle at the cell's side with the greatest x, and not in the one at the side with the greatest y. */
+        public var isBesideX:Boolean = false;
+
         /** The height there; NaN outside of the ground and over a hole. */
         public var height:Number = NaN;
     }

@@ -1,8 +1,8 @@
 // This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. Open HeightGrid first: it has the heights,
 // and HeightPyramid bounds of them. Then read GroundModelQuery, which tests a model:
-// 1. Do the two touch? GroundEarlyOut knows it of most agents by the heights alone. For the others PieceTrianglePairs are the convex pieces of the model
-// (ModelPiece), each with the triangles near it. GroundTriangles finds these near the box of a GroundSearch: square by square (BoxPath), then those of each
-// cell (CellTriangles).
+// 1. Do the two touch? GroundEarlyOut knows it of most agents by the heights alone, and DeepestPointSearch of most others that touch. For the
+// rest PieceTrianglePairs are the convex pieces of the model (ModelPiece), each with the triangles near it. GroundTriangles finds these near the box of a
+// GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
 // 2. How deep is the model? GroundPushSearch finds the push of most contacts, by planes alone (GroundPlanes). DeepestPointSearch adds the plane of the exit
 // of the deepest point, which RidgeExitSearch finds across a ridge. An exit leads one point out, a push the whole model. So GroundSeparation looks for a
 // plane between the pushed model and each GroundFacet under it. A facet in the way has the next plane. GroundExits proves that no exit is much shorter.
@@ -278,17 +278,22 @@ package starlogo.ground
             }
         }
 
-        // Finds the height of the slope at a point of a cell: of the triangle at the side with the greatest x, or of the one at the side with the greatest y.
+        // Finds the height of the slope at a point of a cell, and in which of the cell's two triangles the point is.
         private function findHeightOfSlope(point:GroundPoint):void
         {
             var toX:Number = (point.x - x) / cellWidth - point.column;
             var toY:Number = (point.y - y) / cellWidth - point.row;
             var corner:int = point.row * columns + point.column;
-            var isBesideX:Boolean = toX >= toY;
-            var side:int = isBesideX ? corner + 1 : corner + columns;
-            var more:Number = isBesideX ? toX : toY;
-            var less:Number = isBesideX ? toY : toX;
-            point.height = (1 - more) * heights[corner] + (more - less) * heights[side] + less * heights[int(corner + columns + 1)];
+            point.isBesideX = toX >= toY;
+            var more:Number = point.isBesideX ? toX : toY;
+            var less:Number = point.isBesideX ? toY : toX;
+            point.height = (1 - more) * heights[corner] + (more - less) * heights[sideOf(point)] + less * heights[int(corner + columns + 1)];
+        }
+
+        // The height that only the triangle of a point has, and not the other one of its cell.
+        private function sideOf(point:GroundPoint):int
+        {
+            return point.row * columns + point.column + (point.isBesideX ? 1 : columns);
         }
 
         /** Finds the normal at a point whose height is known: a unit vector out of the ground. It is up from blocks, and where there is no ground. */
@@ -300,13 +305,12 @@ package starlogo.ground
             if (!isBlocky && !isNaN(point.height))
             {
                 var corner:int = point.row * columns + point.column;
-                var isBesideX:Boolean = (point.x - x) / cellWidth - point.column >= (point.y - y) / cellWidth - point.row;
-                var side:int = isBesideX ? corner + 1 : corner + columns;
+                var side:int = sideOf(point);
                 var toSide:Number = heights[corner] - heights[side];
                 var fromSide:Number = heights[side] - heights[int(corner + columns + 1)];
                 // how far the triangle falls from a height to the next one along x, and along y
-                var fallX:Number = isBesideX ? toSide : fromSide;
-                var fallY:Number = isBesideX ? fromSide : toSide;
+                var fallX:Number = point.isBesideX ? toSide : fromSide;
+                var fallY:Number = point.isBesideX ? fromSide : toSide;
                 var length:Number = Math.sqrt(fallX * fallX + fallY * fallY + cellWidth * cellWidth);
                 out.x = fallX / length;
                 out.y = fallY / length;

@@ -3,7 +3,6 @@ package starlogo.ground
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
@@ -16,8 +15,8 @@ package starlogo.ground
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
      *
-     * <p>A GroundTriangles finds the triangles near the box of a piece, square by square. An inner node whose box comes to few cells lists them. Each
-     * piece inside of it lists those near its own box in turn, chosen from the list of the node around it.</p>
+     * <p>A GroundTriangles finds the triangles near the box of a piece, square by square. An inner node whose box comes to few cells lists them all. Each
+     * piece inside of it then chooses from the list of the node around it, so lists are nested as the nodes are, and become shorter from level to level.</p>
      */
     internal final class PieceTrianglePairs
     {
@@ -43,27 +42,22 @@ package starlogo.ground
 
         // The triangles that the search has found near an inner node. Near any other piece, it writes each to the first one. Later searches use the same objects,
         // so frames allocate nothing.
-        private var _found:Vector.<GroundTriangle> = new <GroundTriangle>[new GroundTriangle()];
+        private var _found:TriangleList = new TriangleList();
 
-        // The lists of triangles of the nodes around the current piece, the outermost one's first, and then its own. _listBegin and _listEnd say where the
-        // list of the node around it is: both are 0 if there is none. _next and _end say where the rest of its own list is.
-        private var _lists:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
-        private var _listBegin:int = 0;
-        private var _listEnd:int = 0;
+        // The lists by level. The current piece has a level: how many lists are around it. Its own list is at this level, and the list that it is chosen from
+        // one level before. At level 0 there is none, and only an inner node lists what the search finds.
+        private var _lists:Vector.<TriangleList> = new <TriangleList>[new TriangleList()];
+        private var _level:int = 0;
+
+        // The index of the next triangle in the current piece's own list.
         private var _next:int = 0;
-        private var _end:int = 0;
 
-        // The pieces that come next, from the last one on. Each has three numbers: its node, or -1 - i for the tree's triangle i; and where the list of the node
-        // around it begins and ends.
+        // The pieces that come next, from the last one on. Each has two numbers: its node, or -1 - i for the tree's triangle i; and its level.
         private var _waiting:Vector.<int> = new Vector.<int>();
         private var _waitingEnd:int = 0;
 
         // The box around the whole motion of the current piece.
         private var _swept:GroundBox = new GroundBox();
-
-        // The ground under a point of the current piece, and its normal there.
-        private var _under:GroundPoint = new GroundPoint();
-        private var _normal:Vector3D = new Vector3D();
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
@@ -91,7 +85,9 @@ package starlogo.ground
             _isForDepths = false;
             minDepth = 0;
             _source.stop();
-            _next = _end = _listBegin = _listEnd = 0;
+            _level = 0;
+            _lists[0].count = 0;
+            _next = 0;
             _waitingEnd = 0;
             push(0);
         }
@@ -122,15 +118,15 @@ package starlogo.ground
         /** Goes on to the next triangle near the piece: in its list, or if no list is around it, in the search. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            if (_next < _end)
+            var list:TriangleList = _lists[_level];
+            if (_next < list.count)
             {
-                triangle = _lists[_next];
+                triangle = list.triangles[_next];
                 _next++;
             }
-            else if (_listEnd == 0 && _source.next(_found[0]))
+            else if (_level == 0 && find(0))
             {
-                triangle = _found[0];
-                triangle.setPlane();
+                triangle = _found.triangles[0];
             }
             else
             {
@@ -146,9 +142,8 @@ package starlogo.ground
         {
             while (_waitingEnd > 0)
             {
-                _waitingEnd -= 3;
-                _listBegin = _waiting[int(_waitingEnd + 1)];
-                _listEnd = _waiting[int(_waitingEnd + 2)];
+                _waitingEnd -= 2;
+                _level = _waiting[int(_waitingEnd + 1)];
                 var node:int = _waiting[_waitingEnd];
                 if (node < 0)
                 {
@@ -167,14 +162,16 @@ package starlogo.ground
             return false;
         }
 
-        // Divides the current piece, an inner node: the pieces inside of it come next, and its list is around them. The lower one of two nodes comes first,
-        // because the ground is below.
+        // Divides the current piece, an inner node: the pieces inside of it come next, and its list is around them, if it has one. The lower one of two nodes
+        // comes first, because the ground is below.
         private function divide(node:int):void
         {
             var tree:BoxTree = piece.tree;
             var left:int = tree.left[node];
-            _listBegin = _listEnd;
-            _listEnd = _end;
+            if (_lists[_level].count > 0)
+            {
+                _level++;
+            }
             if (left > 0)
             {
                 var lower:int = piece.heightOf(left) < piece.heightOf(left + 1) ? left : left + 1;
@@ -188,49 +185,70 @@ package starlogo.ground
             }
         }
 
-        // Puts a node or a triangle before the pieces that come next, with the list around it.
+        // Puts a node or a triangle of the current level before the pieces that come next.
         private function push(node:int):void
         {
             _waiting[_waitingEnd] = node;
-            _waiting[int(_waitingEnd + 1)] = _listBegin;
-            _waiting[int(_waitingEnd + 2)] = _listEnd;
-            _waitingEnd += 3;
+            _waiting[int(_waitingEnd + 1)] = _level;
+            _waitingEnd += 2;
         }
 
-        // Lists the triangles near the current piece. If no list is around it, begins to search for them, and lists them only near an inner node that comes to
-        // few cells: each piece inside of a larger one has a search of its own. Returns false if surely none is near.
+        // Finds the triangles near the current piece: in the list around it, or else by a search. Returns false if surely none is near.
         private function findTriangles():Boolean
         {
-            _next = _end = _listEnd;
-            if (_listEnd > 0)
+            if (_level == _lists.length)
             {
-                choose(_lists, _listBegin, _listEnd);
-                return _end > _listEnd;
+                _lists.push(new TriangleList());
+            }
+            var own:TriangleList = _lists[_level];
+            own.count = 0;
+            _next = 0;
+            if (_level > 0)
+            {
+                choose(_lists[int(_level - 1)], own);
+                return own.count > 0;
             }
             search.shape = piece.hasShapeInBox ? piece.kernel.shape : null;
             var comesToFewCells:Boolean = _source.begin(search);
-            if (piece.kind != ModelPiece.INNER_NODE)
-            {
-                return true;
-            }
-            // of a larger one, one triangle tells enough
-            while ((comesToFewCells || _end == 0) && findAt(_end))
-            {
-                choose(_found, _end, _end + 1);
-            }
-            var isNear:Boolean = _end > 0;
-            _end = comesToFewCells ? _end : 0;
-            return isNear;
+            return piece.kind != ModelPiece.INNER_NODE || (comesToFewCells ? listAll(own) : comesNear(own));
         }
 
-        // Finds the next triangle of the search. Returns false if there is none.
-        private function findAt(index:int):Boolean
+        // Lists the triangles of the search that an inner node comes near. Returns whether there are any.
+        private function listAll(out:TriangleList):Boolean
         {
-            if (index == _found.length)
+            _found.count = 0;
+            while (find(_found.count))
             {
-                _found.push(new GroundTriangle());
+                _found.count++;
             }
-            var found:GroundTriangle = _found[index];
+            choose(_found, out);
+            return out.count > 0;
+        }
+
+        // Whether a large inner node comes near a triangle. The list stays empty, because each piece inside of the node has a search of its own.
+        private function comesNear(list:TriangleList):Boolean
+        {
+            _found.count = 1;
+            while (find(0))
+            {
+                choose(_found, list);
+                if (list.count > 0)
+                {
+                    list.count = 0;
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Writes the next triangle of the search to one that is found. Returns false if there is none.
+        private function find(index:int):Boolean
+        {
+            if (index == _found.triangles.length)
+            {
+                _found.triangles.push(new GroundTriangle());
+            }
+            var found:GroundTriangle = _found.triangles[index];
             if (!_source.next(found))
             {
                 return false;
@@ -240,9 +258,9 @@ package starlogo.ground
             return true;
         }
 
-        // Lists those of some triangles that the current piece comes near: the box around its motion meets the triangle's own box, and is not all in front of its
+        // Adds those of some triangles to a list that the current piece comes near: the box around its motion meets the triangle's own box, and is not all in front of its
         // plane.
-        private function choose(from:Vector.<GroundTriangle>, begin:int, end:int):void
+        private function choose(from:TriangleList, out:TriangleList):void
         {
             var maxDistance:Number = search.maxDistance;
             var countsWhereverItIs:Boolean = _isForDepths && piece.kind == ModelPiece.TRIANGLE;
@@ -260,9 +278,9 @@ package starlogo.ground
             var maxX:Number = around.x + around.halfX;
             var maxY:Number = around.y + around.halfY;
             var maxZ:Number = around.z + around.halfZ;
-            for (var i:int = begin; i < end; i++)
+            for (var i:int = 0; i < from.count; i++)
             {
-                var near:GroundTriangle = from[i];
+                var near:GroundTriangle = from.triangles[i];
                 var box:GroundBox = near.box;
                 var normal:Vector3D = near.plane.normal;
                 // the corner that is farthest behind the plane
@@ -276,43 +294,17 @@ package starlogo.ground
                             && box.y - box.halfY - gap <= maxY && box.y + box.halfY + gap >= minY
                             && box.z - box.halfZ - gap <= maxZ && box.z + box.halfZ + gap >= minZ))
                 {
-                    _lists[_end] = near;
-                    _end++;
+                    out.triangles[out.count] = near;
+                    out.count++;
                 }
             }
         }
 
-        /** Finds the ground under a point of the current piece. Returns whether the point is at least this deep under it. */
+        /** Whether the point of the current piece is at least this deep under the ground. */
         public function hasPointUnder(depth:Number):Boolean
         {
-            _under.x = piece.point.x + search.origin.x;
-            _under.y = piece.point.y + search.origin.y;
-            search.grid.findHeight(_under);
-            return _under.height - depth >= piece.point.z + search.origin.z;
-        }
-
-        /**
-         * Whether a quick test shows that a part of the current piece is under the ground: its point, or a structure's lowest point along the ground's
-         * normal. This shows it of nearly all structures whose lowest part is there.
-         */
-        public function isPartUnder():Boolean
-        {
-            if (hasPointUnder(0))
-            {
-                return true;
-            }
-            if (!piece.hasShapeInBox)
-            {
-                return false;
-            }
-            var shape:ConvexShape = piece.kernel.shape;
-            // hasPointUnder() has left there the ground under the piece's point
-            search.grid.findNormal(_under, _normal);
-            var at:int = shape.support(_normal, -1);
-            _under.x = shape.origin.x + shape.points[at] - shape.radius * _normal.x + search.origin.x;
-            _under.y = shape.origin.y + shape.points[int(at + 1)] - shape.radius * _normal.y + search.origin.y;
-            search.grid.findHeight(_under);
-            return _under.height >= shape.origin.z + shape.points[int(at + 2)] - shape.radius * _normal.z + search.origin.z;
+            var point:Vector3D = piece.point;
+            return search.grid.heightAt(point.x + search.origin.x, point.y + search.origin.y) - depth >= point.z + search.origin.z;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */

@@ -44,6 +44,7 @@ export const ALLOWED = {
 	'starlogo.collision.FrameRunner.run': { count: 1, why: 'what a finally throws again' },
 	'starlogo.handlers.requireParameters': { count: 2, why: 'the text of an error' },
 	'starlogo.handlers.BreedHints.hintFor': { count: 1, why: 'runs when handlers change, or a block first names a breed or sets a trait of one' },
+	'starlogo.handlers.warnOfMissingBreeds': { count: 1, why: 'runs when handlers change, or a block first names a breed or sets a trait of one' },
 	'starlogo.queries.Footing.toString': { count: 4, why: 'the text of a trace' },
 	'starlogo.search.table.ListedAgents.requireAgent': { count: 2, why: 'the text of an error' },
 	'starlogo.queries.trees.Collector.admitTo': { count: 1, why: 'what a finally throws again' },

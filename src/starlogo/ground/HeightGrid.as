@@ -293,7 +293,8 @@ package starlogo.ground
         // The height that only the triangle of a point has, and not the other one of its cell.
         private function sideOf(point:GroundPoint):int
         {
-            return point.row * columns + point.column + (point.isBesideX ? 1 : columns);
+            var corner:int = point.row * columns + point.column;
+            return point.isBesideX ? corner + 1 : corner + columns;
         }
 
         /** Finds the normal at a point whose height is known: a unit vector out of the ground. It is up from blocks, and where there is no ground. */

@@ -126,7 +126,7 @@ package starlogo.libraries
             var model:Model = entry.model;
             var needsCopy:Boolean = vertices != null && !keepHulls && (model == null || vertices != model.vertices);
             var structures:ModelStructures = new ModelStructures(needsCopy ? vertices.concat() : vertices, hullFitter, keepAll);
-            finish(structures.finding(name, fitters, keepHulls));
+            finish(new StructuresFit(name, structures, fitters, keepHulls));
             models.entryToWrite(name).replace(model, structures, entry.tree);
         }
 
@@ -221,7 +221,7 @@ package starlogo.libraries
             var structures:ModelStructures = structuresOf(name);
             if (kind == BoundingStructure.HULL && structures.hullOrSphere == null)
             {
-                structures.addHull(name);
+                StructuresFit.addHull(name, structures);
             }
             var found:BoundingStructure = kind == BoundingStructure.HULL ? structures.hullOrSphere : structures.smallest[kind];
             if (found == null)

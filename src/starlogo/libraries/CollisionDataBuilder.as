@@ -58,7 +58,7 @@ package starlogo.libraries
                 takeFrom(model.data.cooked);
             }
             // made now, so that later changes of the fitters' settings do not count
-            var fitting:Steps = areStructuresReady ? null : structures.finding(model.name, structuresLibrary.fitters, structuresLibrary.keepHulls);
+            var fitting:Steps = areStructuresReady ? null : new StructuresFit(model.name, structures, structuresLibrary.fitters, structuresLibrary.keepHulls);
             if (store == null || isComplete)
             {
                 add(computing(fitting));
